@@ -1,0 +1,94 @@
+"""Checks at the door: each returns the clean value, or raises `InvalidArgument` naming the argument and its value."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Any, TypeAlias
+
+from carom.errors import InvalidArgument
+from carom.rows import ALL_LAYERS
+
+Vector: TypeAlias = tuple[float, float]
+
+
+def refuse(name: str, must: str, value: object) -> InvalidArgument:
+    """The error to raise when argument `name` with `value` does not do what it `must`."""
+    return InvalidArgument(f"{name} {must}, not {value!r}")
+
+
+def number(name: str, value: Any) -> float:
+    """`value` as a finite float."""
+    if isinstance(value, (bool, str, bytes)):
+        raise refuse(name, "must be a number", value)
+    try:
+        result = float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise refuse(name, "must be a number", value) from None
+    if not isfinite(result):
+        raise refuse(name, "must be finite", value)
+    return result
+
+
+def positive(name: str, value: Any) -> float:
+    """`value` as a finite float above 0."""
+    result = number(name, value)
+    if result <= 0.0:
+        raise refuse(name, "must be positive", value)
+    return result
+
+
+def non_negative(name: str, value: Any) -> float:
+    """`value` as a finite float of 0 or more."""
+    result = number(name, value)
+    if result < 0.0:
+        raise refuse(name, "must not be negative", value)
+    return result
+
+
+def pair(name: str, value: Any) -> Vector:
+    """`value` as a tuple of two finite floats."""
+    if isinstance(value, (str, bytes, dict, set, frozenset)):
+        raise refuse(name, "must be a pair of numbers", value)
+    try:
+        x, y = value
+    except (TypeError, ValueError):
+        raise refuse(name, "must be a pair of numbers", value) from None
+    return number(f"{name}[0]", x), number(f"{name}[1]", y)
+
+
+def flag(name: str, value: Any) -> bool:
+    """`value` as a bool; only true booleans (Python's or NumPy's) are taken."""
+    if value is True or value is False:
+        return bool(value)
+    if type(value).__name__ in {"bool", "bool_"}:
+        return bool(value)
+    raise refuse(name, "must be True or False", value)
+
+
+def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1) -> int:
+    """`value` as an int from `least` to `most`."""
+    if isinstance(value, (bool, str, bytes, float)) or not hasattr(value, "__index__"):
+        raise refuse(name, "must be a whole number", value)
+    result = int(value.__index__())
+    if not least <= result <= most:
+        raise refuse(name, f"must be from {least} to {most}", value)
+    return result
+
+
+def layers(name: str, value: Any) -> int:
+    """`value` as a mask of 32 layers."""
+    return whole(name, value, 0, ALL_LAYERS)
+
+
+def text_or_none(name: str, value: Any) -> str | None:
+    """`value` as a string or None."""
+    if value is None or isinstance(value, str):
+        return value
+    raise refuse(name, "must be a string or None", value)
+
+
+def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
+    """`value`, which must be one of the strings `choices`."""
+    if isinstance(value, str) and value in choices:
+        return value
+    raise refuse(name, "must be one of " + ", ".join(map(repr, choices)), value)

@@ -1,0 +1,21 @@
+"""The exceptions of carom: one family, so that one `except` clause can catch them all."""
+
+
+class CaromError(Exception):
+    """Base of every exception that carom raises on purpose."""
+
+
+class InvalidArgument(CaromError, ValueError):
+    """An argument, attribute or setting was refused; the message names it and its value."""
+
+
+class SceneError(CaromError, ValueError):
+    """A scene was refused; the message lists every fault with its path."""
+
+
+class SnapshotError(CaromError, ValueError):
+    """A snapshot was damaged, cut, or not made by this library."""
+
+
+class NonFiniteState(CaromError, ValueError):
+    """A world's state holds NaN or infinity; the message names the balls."""

@@ -1,0 +1,129 @@
+"""The rows that shapes and balls live in, as NumPy dtypes.
+
+A shape is a row: a lone shape owns a table of one row, and a shape in a world owns a row of the world's table. The
+kernels see the same rows, so there is one truth and nothing to keep in step. No dtype has padding, so the bytes of a
+row are its state and nothing else. Fields that the hot loops read stand first.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: A table of rows, or one row of it; NumPy's typing cannot say which fields it has.
+Rows = NDArray[Any]
+Row = Any
+
+POINT = 0
+SEGMENT = 1
+GATE = 2
+CIRCLE = 3
+ARC = 4
+BALL_KIND = 5
+
+KIND_NAMES = ("point", "segment", "gate", "circle", "arc", "ball")
+
+STATIC = 0
+KINEMATIC = 1
+DYNAMIC = 2
+
+NO_RELATION = -1
+ALL_LAYERS = 0xFFFFFFFF
+
+
+class Motion(IntEnum):
+    """How a shape moves: not at all, on rails that nothing pushes it off, or freely."""
+
+    STATIC = STATIC
+    KINEMATIC = KINEMATIC
+    DYNAMIC = DYNAMIC
+
+
+BALL = np.dtype(
+    [
+        ("x", "f8"),
+        ("y", "f8"),
+        ("vx", "f8"),
+        ("vy", "f8"),
+        ("radius", "f8"),
+        ("mass", "f8"),
+        ("elasticity", "f8"),
+        ("still_time", "f8"),  # seconds spent below the sleep speed
+        ("id", "i8"),
+        ("layer", "u4"),
+        ("collides_with", "u4"),
+        ("relation", "i4"),  # first of this ball's relations in the world's pool, or NO_RELATION
+        ("sensor", "u1"),
+        ("can_collide", "u1"),
+        ("asleep", "u1"),
+        ("stray", "u1"),
+    ]
+)
+
+SHAPE = np.dtype(
+    [
+        # the box, compared before anything else
+        ("left", "f8"),
+        ("bottom", "f8"),
+        ("right", "f8"),
+        ("top", "f8"),
+        ("kind", "u1"),
+        ("motion", "u1"),
+        ("sensor", "u1"),
+        ("can_collide", "u1"),
+        ("solid", "u1"),  # circles: the inside is solid too
+        ("rotating", "u1"),  # kinematic: whether angular_velocity acts
+        ("turn_limited", "u1"),  # whether turn_low and turn_high act
+        ("spare", "u1"),  # keeps the row free of padding; always 0
+        ("layer", "u4"),
+        ("collides_with", "u4"),
+        ("id", "i8"),
+        ("elasticity", "f8"),
+        ("kick", "f8"),
+        # geometry as it is now
+        ("cx", "f8"),  # position: a point's own, a segment's midpoint, a circle's or an arc's centre
+        ("cy", "f8"),
+        ("radius", "f8"),
+        ("ax", "f8"),  # p0 of a segment, gate or arc
+        ("ay", "f8"),
+        ("bx", "f8"),  # p1
+        ("by", "f8"),
+        ("tx", "f8"),  # t0 of a segment or gate: unit vector from p0 to p1
+        ("ty", "f8"),
+        ("length", "f8"),
+        ("dx", "f8"),  # unit direction in which a gate lets balls pass
+        ("dy", "f8"),
+        ("start_angle", "f8"),
+        ("end_angle", "f8"),
+        # geometry as it was set; every turn starts from here, so turns accumulate no drift
+        ("initial_cx", "f8"),
+        ("initial_cy", "f8"),
+        ("initial_ax", "f8"),
+        ("initial_ay", "f8"),
+        ("initial_bx", "f8"),
+        ("initial_by", "f8"),
+        ("initial_dx", "f8"),
+        ("initial_dy", "f8"),
+        ("initial_start_angle", "f8"),
+        ("initial_end_angle", "f8"),
+        ("initial_pivot_x", "f8"),
+        ("initial_pivot_y", "f8"),
+        # motion
+        ("pivot_x", "f8"),
+        ("pivot_y", "f8"),
+        ("orientation", "f8"),  # radians turned since the initial geometry
+        ("angular_velocity", "f8"),
+        ("turn_low", "f8"),
+        ("turn_high", "f8"),
+        ("velocity_x", "f8"),
+        ("velocity_y", "f8"),
+        # the last substep
+        ("spin", "f8"),  # angular velocity that acted in it
+        ("orientation_before", "f8"),
+        ("pivot_before_x", "f8"),
+        ("pivot_before_y", "f8"),
+    ]
+)
