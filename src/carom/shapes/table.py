@@ -1,0 +1,52 @@
+"""Where rows live: a lone shape or ball owns a table of one row, a world has two tables for all of its own."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+
+from carom.rows import Row, Rows
+
+
+class Owner(Protocol):
+    """What a table knows of the shapes and balls that are views of its rows."""
+
+    _index: int
+    _id: int | None
+
+
+class Home(Protocol):
+    """What a shape or ball knows of the world that it is in."""
+
+    def _changed(self, member: Any) -> None:
+        """Called after a member's row was changed from outside, with the member."""
+
+
+class Table:
+    """Rows of one dtype, and which of them is whose. `rows` may be longer than what is in use.
+
+    A world's table overrides `index`, where rows move: it finds the row of `owner._id`, or of `owner._index`.
+    """
+
+    __slots__ = ("rows",)
+
+    def __init__(self, rows: Rows) -> None:
+        self.rows = rows
+
+    @classmethod
+    def of_one(cls, dtype: np.dtype[Any]) -> Table:
+        """A table of one row, all zeros."""
+        return cls(np.zeros(1, dtype))
+
+    def index(self, owner: Owner) -> int:
+        """The place of `owner`'s row in `rows`."""
+        return owner._index
+
+    def row(self, owner: Owner) -> Row:
+        """`owner`'s row, as a view that can be written to."""
+        return self.rows[self.index(owner)]
+
+    def write(self, owner: Owner, row: Row) -> None:
+        """Nothing; copies the fields of `row` into `owner`'s row."""
+        self.rows[self.index(owner)] = row
