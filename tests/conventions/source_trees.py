@@ -1,0 +1,56 @@
+"""Where the project's files are, and which of them are kernels."""
+
+import ast
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE = ROOT / "src"
+PACKAGE = SOURCE / "carom"
+COMPILER_DOOR = PACKAGE / "world" / "compiled.py"
+
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    """The syntax tree of a source file."""
+    return ast.parse(path.read_text(encoding="utf-8"), str(path))
+
+
+def package_files() -> list[Path]:
+    """Every source file of the package."""
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+def python_files() -> list[Path]:
+    """Every Python file of the project."""
+    rooms = ("src", "tests", "benchmarks", "examples")
+    return sorted(path for room in rooms for path in (ROOT / room).rglob("*.py"))
+
+
+def kernel_files() -> list[Path]:
+    """The files whose functions are compiled, as the compiler's door lists them."""
+    for node in tree(COMPILER_DOOR).body:
+        target = (
+            node.target
+            if isinstance(node, ast.AnnAssign)
+            else node.targets[0]
+            if isinstance(node, ast.Assign)
+            else None
+        )
+        if isinstance(target, ast.Name) and target.id == "KERNEL_MODULES":
+            names: tuple[str, ...] = ast.literal_eval(node.value)  # type: ignore[union-attr, arg-type]
+            return [SOURCE.joinpath(*name.split(".")).with_suffix(".py") for name in names]
+    raise LookupError(f"no KERNEL_MODULES in {COMPILER_DOOR}")
+
+
+def functions(path: Path) -> Iterator[Function]:
+    """Every function and method of a file, nested ones too."""
+    return (node for node in ast.walk(tree(path)) if isinstance(node, Function))
+
+
+def named(path: Path) -> str:
+    """A file's path within the project, as a test's id."""
+    return path.relative_to(ROOT).as_posix()

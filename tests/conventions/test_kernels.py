@@ -1,0 +1,204 @@
+"""Kernels keep to the Python that Numba compiles to the very same bits, and one module alone imports Numba."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.conventions.source_trees import COMPILER_DOOR, functions, kernel_files, named, package_files, tree
+
+MATH = {"atan2", "ceil", "copysign", "cos", "fabs", "floor", "inf", "isfinite", "pi", "sin", "sqrt"}
+FORBIDDEN_NAMES = {
+    "dict",
+    "eval",
+    "exec",
+    "fastmath",
+    "frozenset",
+    "hypot",
+    "parallel",
+    "pow",
+    "print",
+    "prange",
+    "set",
+    "sum",
+}
+FORBIDDEN_NODES = {
+    ast.Assert: "assert",
+    ast.AsyncFunctionDef: "async",
+    ast.Await: "await",
+    ast.ClassDef: "a class",
+    ast.Delete: "del",
+    ast.Dict: "a dict",
+    ast.DictComp: "a dict",
+    ast.GeneratorExp: "a generator",
+    ast.Global: "global",
+    ast.Lambda: "lambda",
+    ast.ListComp: "a list",
+    ast.List: "a list",
+    ast.Nonlocal: "nonlocal",
+    ast.Raise: "raise",
+    ast.Set: "a set",
+    ast.SetComp: "a set",
+    ast.Try: "try",
+    ast.With: "with",
+    ast.Yield: "yield",
+}
+FORBIDDEN_OPERATORS = {ast.Pow: "**", ast.MatMult: "@"}
+
+
+def refusals(module: ast.Module) -> list[str]:
+    """What a kernel module does that it must not, each with its line."""
+    found = [(node, text) for node in ast.walk(module) for text in _faults(node)]
+    found += [
+        (inner, "a nested function")
+        for outer in ast.walk(module)
+        if isinstance(outer, ast.FunctionDef)
+        for inner in ast.walk(outer)
+        if inner is not outer and isinstance(inner, ast.FunctionDef)
+    ]
+    return [f"line {node.lineno}: {text}" for node, text in found]
+
+
+def _faults(node: ast.AST) -> Iterator[str]:
+    """What is wrong with one node."""
+    if type(node) in FORBIDDEN_NODES:
+        yield FORBIDDEN_NODES[type(node)]
+    elif isinstance(node, ast.BinOp | ast.AugAssign) and type(node.op) in FORBIDDEN_OPERATORS:
+        yield FORBIDDEN_OPERATORS[type(node.op)]
+    elif isinstance(node, ast.Name) and node.id in FORBIDDEN_NAMES:
+        yield node.id
+    elif isinstance(node, ast.Attribute):
+        yield f"the attribute .{node.attr}"
+    elif isinstance(node, ast.Import):
+        yield f"import {node.names[0].name}"
+    elif isinstance(node, ast.ImportFrom):
+        yield from _import_faults(node)
+    elif isinstance(node, ast.FunctionDef):
+        yield from _signature_faults(node)
+
+
+def _import_faults(node: ast.ImportFrom) -> Iterator[str]:
+    """Imports from elsewhere than carom and the agreed part of `math`."""
+    module = node.module or ""
+    if module == "math":
+        yield from (f"math.{alias.name}" for alias in node.names if alias.name not in MATH)
+    elif module != "__future__" and module.partition(".")[0] != "carom":
+        yield f"from {module}"
+
+
+def _signature_faults(node: ast.FunctionDef) -> Iterator[str]:
+    """Defaults, gathered arguments, decorators."""
+    arguments = node.args
+    if arguments.defaults or any(arguments.kw_defaults):
+        yield f"{node.name} has a default argument"
+    if arguments.vararg or arguments.kwarg or arguments.kwonlyargs:
+        yield f"{node.name} gathers arguments or names them"
+    if node.decorator_list:
+        yield f"{node.name} is decorated"
+
+
+def optional_functions() -> set[str]:
+    """Names of the kernels that may return None."""
+    return {
+        function.name
+        for path in kernel_files()
+        for function in functions(path)
+        if function.returns is not None and "None" in ast.unparse(function.returns).split(" | ")[1:]
+    }
+
+
+def indexed_results(function: ast.AST, optional: set[str]) -> list[str]:
+    """Variables that hold an optional tuple and are indexed."""
+    holders = {
+        target.id
+        for node in ast.walk(function)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Name)
+        if node.value.func.id in optional
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    return [
+        f"line {node.lineno}: {node.value.id}[...]"
+        for node in ast.walk(function)
+        if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name) and node.value.id in holders
+    ]
+
+
+def imports_numba(module: ast.Module) -> bool:
+    """Whether a module imports Numba or its LLVM, anywhere in it."""
+    names = [alias.name for node in ast.walk(module) if isinstance(node, ast.Import) for alias in node.names]
+    names += [node.module or "" for node in ast.walk(module) if isinstance(node, ast.ImportFrom)]
+    return any(name.partition(".")[0] in {"numba", "llvmlite"} for name in names)
+
+
+@pytest.mark.parametrize("path", kernel_files(), ids=named)
+def test_a_kernel_module_uses_only_what_compiles_to_the_same_bits(path: Path) -> None:
+    assert refusals(tree(path)) == []
+
+
+@pytest.mark.parametrize("path", kernel_files(), ids=named)
+def test_a_kernel_unpacks_optional_results_and_never_indexes_them(path: Path) -> None:
+    optional = optional_functions()
+    assert [text for function in functions(path) for text in indexed_results(function, optional)] == []
+
+
+@pytest.mark.parametrize("path", kernel_files(), ids=named)
+def test_every_argument_of_a_kernel_is_annotated(path: Path) -> None:
+    bare = [
+        f"{function.name}({argument.arg})"
+        for function in functions(path)
+        for argument in function.args.args
+        if argument.annotation is None
+    ]
+    assert bare == []
+
+
+def test_the_compiler_is_imported_at_its_door_alone() -> None:
+    assert [named(path) for path in package_files() if imports_numba(tree(path))] == [named(COMPILER_DOOR)]
+
+
+def test_the_compiler_is_never_told_to_reorder_arithmetic() -> None:
+    keywords = {node.arg for path in package_files() for node in ast.walk(tree(path)) if isinstance(node, ast.keyword)}
+    assert keywords.isdisjoint({"fastmath", "parallel"})
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "return x**2",
+        "return pow(x, 2.0)",
+        "return hypot(x, x)",
+        "return x @ x",
+        "return np.dot(x, x)",
+        "x **= 2.0",
+        "raise ValueError",
+        "assert x > 0.0",
+        "return (lambda: x)()",
+        "return max({x})",
+        "return time.time()",
+        "import random",
+        "from math import hypot",
+        "from random import random",
+        "for key in {1: 2}:\n        x += key",
+        "try:\n        return x\n    finally:\n        x = 0.0",
+        "def inner() -> float:\n        return x\n    return inner()",
+    ],
+)
+def test_the_refusals_refuse(line: str) -> None:
+    assert refusals(ast.parse(f"def kernel(x: float) -> float:\n    {line}\n")) != []
+
+
+@pytest.mark.parametrize("signature", ["x: float = 1.0", "*x: float", "**x: float", "*, x: float"])
+def test_signatures_that_are_not_plain_are_refused(signature: str) -> None:
+    assert refusals(ast.parse(f"def kernel({signature}) -> float:\n    return 1.0\n")) != []
+
+
+def test_what_kernels_are_made_of_is_not_refused() -> None:
+    text = "from math import sqrt\ndef kernel(x: float, y: float) -> float | None:\n    return sqrt(x * x + y * y)\n"
+    assert refusals(ast.parse(text)) == []
+
+
+def test_indexing_an_optional_result_is_found() -> None:
+    text = "def kernel(x: float) -> float:\n    hit = miss(x)\n    return hit[0]\n"
+    assert indexed_results(ast.parse(text), {"miss"}) == ["line 3: hit[0]".replace("0", "...")]
