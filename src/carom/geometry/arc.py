@@ -75,7 +75,7 @@ def arc_tangents(start_angle: float, end_angle: float) -> tuple[float, float, fl
     """The unit tangents (t0x, t0y, t1x, t1y) at an arc's ends, pointing out of it: clockwise, then counterclockwise."""
     start_x, start_y = direction(start_angle)
     end_x, end_y = direction(end_angle)
-    return start_y, -start_x, -end_y, end_x
+    return start_y, 0.0 - start_x, 0.0 - end_y, end_x
 
 
 def closest_on_arc(

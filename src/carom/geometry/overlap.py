@@ -3,7 +3,8 @@
 The shape's numbers come first, then the ball's centre `x, y` and `radius`, then `wx, wy`, the ball's velocity relative
 to the shape's surface, which matters only where the normal has no direction of its own. Each returns `(px, py, nx, ny,
 setback)`: the point of contact on the shape, the unit normal from the shape to the ball, and how far the ball has to
-move along it to touch; or None where they do not overlap. Touching is no overlap.
+move along it to touch; or None where they do not overlap. Touching is no overlap. Opposites are taken as `0.0 - x`,
+for people read normals, and -0 reads badly.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ def overlap_segment(
     distance = fabs(side)
     if distance >= radius:
         return None
-    nx, ny = outward_or(-ty, tx, side, wx, wy)
+    nx, ny = outward_or(0.0 - ty, tx, side, wx, wy)
     return ax + along * tx, ay + along * ty, nx, ny, radius - distance
 
 
@@ -161,7 +162,7 @@ def outward_or(ux: float, uy: float, side: float, wx: float, wy: float) -> tuple
     if side > 0.0:
         return ux, uy
     if side < 0.0:
-        return -ux, -uy
+        return 0.0 - ux, 0.0 - uy
     return direction_or(0.0, 0.0, wx, wy)
 
 
@@ -170,7 +171,7 @@ def direction_or(dx: float, dy: float, wx: float, wy: float) -> tuple[float, flo
     along = unit(dx, dy)
     if along is not None:
         return along
-    against = unit(0.0 - wx, 0.0 - wy)  # not -wx, which would make -0 of 0
+    against = unit(0.0 - wx, 0.0 - wy)
     if against is not None:
         return against
     return 0.0, 1.0

@@ -71,7 +71,7 @@ def parallel_component(vx: float, vy: float, wx: float, wy: float) -> tuple[floa
 
 
 def larger(a: float, b: float) -> float:
-    """The larger of two numbers; the first of equals, for 0 and -0 too, where `max` and its compiled twin may differ."""
+    """The larger of two numbers; the first of equals, 0 and -0 among them, where `max` and its compiled twin differ."""
     return b if b > a else a
 
 
