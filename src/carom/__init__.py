@@ -1,3 +1,94 @@
-"""Exact, fast 2D collisions: a library of shapes, and worlds that step them."""
+"""carom: exact, fast 2D collisions. A library of shapes and contacts, and worlds that step them.
+
+Lengths are in one unit of your choosing, angles in radians counterclockwise from +x, times in seconds; y points up.
+Positions and vectors are taken as any pair of numbers and come back as tuples of floats. Every exception that carom
+raises on purpose is a `CaromError`; one for bad input is an `InvalidArgument`, which is a `ValueError` too.
+
+>>> import carom
+>>> wall = carom.Segment((0, 0), (10, 0), elasticity=0.5)
+>>> ball = carom.Ball((5, 0.25), radius=0.5, velocity=(3, -2))
+>>> ball.respond(wall.detect(ball))
+>>> ball.velocity
+(3.0, 1.0)
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from carom.errors import CaromError, InvalidArgument, NonFiniteState, SceneError, SnapshotError
+from carom.rows import Motion
+from carom.shapes.aabb import Aabb
+from carom.shapes.arc import Arc
+from carom.shapes.ball import Ball
+from carom.shapes.circle import Circle
+from carom.shapes.compound import Compound
+from carom.shapes.detection import Contact
+from carom.shapes.gate import Gate
+from carom.shapes.guard import guard_points
+from carom.shapes.helpers import angle_to_vector, normalize, normalize_angle, parallel_component, perp, rotate_point
+from carom.shapes.line import Line
+from carom.shapes.point import Point
+from carom.shapes.segment import Segment
+from carom.shapes.shape import Shape
+
+if TYPE_CHECKING:
+    from carom.scene import Scene, scenes
+    from carom.world import HitKind, Hits, World
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Aabb",
+    "Arc",
+    "Ball",
+    "CaromError",
+    "Circle",
+    "Compound",
+    "Contact",
+    "Gate",
+    "HitKind",
+    "Hits",
+    "InvalidArgument",
+    "Line",
+    "Motion",
+    "NonFiniteState",
+    "Point",
+    "Scene",
+    "SceneError",
+    "Segment",
+    "Shape",
+    "SnapshotError",
+    "World",
+    "__version__",
+    "angle_to_vector",
+    "guard_points",
+    "normalize",
+    "normalize_angle",
+    "parallel_component",
+    "perp",
+    "rotate_point",
+    "scenes",
+]
+
+#: Names that cost time to import (a compiler, a validator), each with the module that it is imported from when used.
+_LAZY = {
+    "HitKind": "carom.world",
+    "Hits": "carom.world",
+    "World": "carom.world",
+    "Scene": "carom.scene",
+    "scenes": "carom.scene",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """A lazy name's value, imported now; called for names that this module does not have."""
+    if name not in _LAZY:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_LAZY[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """The names of the module, the lazy ones too."""
+    return sorted({*globals(), *_LAZY})

@@ -35,3 +35,12 @@ def gate_opens(shape: Row, x: float, y: float) -> bool:
     side = tx * (y - float(shape["ay"])) - ty * (x - float(shape["ax"]))
     through = tx * float(shape["dy"]) - ty * float(shape["dx"])
     return side <= 0.0 if through > 0.0 else side >= 0.0
+
+
+def may_meet(first: Row, second: Row) -> bool:
+    """Whether two rows of shapes or balls meet at all: both can collide, each is on a layer that the other meets."""
+    if not first["can_collide"] or not second["can_collide"]:
+        return False
+    forth = first["layer"] & second["collides_with"]
+    back = second["layer"] & first["collides_with"]
+    return bool(forth != 0 and back != 0)

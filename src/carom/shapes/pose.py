@@ -10,6 +10,7 @@ from math import cos, sin
 
 from carom.geometry.aabb import arc_box, circle_box, segment_box
 from carom.geometry.angle import normalize_angle
+from carom.geometry.arc import arc_ends
 from carom.geometry.vector import length, rotated, unit
 from carom.rows import ARC, CIRCLE, GATE, KINEMATIC, SEGMENT, STATIC, Row
 
@@ -68,8 +69,7 @@ def _derive_arc(shape: Row) -> None:
     """Nothing; derives the ends and the box of an arc from its centre, radius and angles."""
     cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     start, end = float(shape["start_angle"]), float(shape["end_angle"])
-    ax, ay = cx + radius * cos(start), cy + radius * sin(start)
-    bx, by = cx + radius * cos(end), cy + radius * sin(end)
+    ax, ay, bx, by = arc_ends(cx, cy, radius, start, end)
     shape["ax"] = ax
     shape["ay"] = ay
     shape["bx"] = bx
@@ -93,12 +93,12 @@ def set_initial(shape: Row) -> None:
     shape["initial_pivot_x"] = shape["pivot_x"]
     shape["initial_pivot_y"] = shape["pivot_y"]
     shape["orientation"] = 0.0
-    _set_before(shape)
+    set_before(shape)
     shape["spin"] = 0.0
 
 
-def _set_before(shape: Row) -> None:
-    """Nothing; remembers orientation and pivot as those before the substep."""
+def set_before(shape: Row) -> None:
+    """Nothing; remembers orientation and pivot as those that a substep begins with."""
     shape["orientation_before"] = shape["orientation"]
     shape["pivot_before_x"] = shape["pivot_x"]
     shape["pivot_before_y"] = shape["pivot_y"]
@@ -178,7 +178,7 @@ def advance_pose(shape: Row, h: float) -> bool:
     exactly, and then angular_velocity is 0, while spin stays what it was on the way. A shape that neither turns nor
     travels is left as it is, bit for bit.
     """
-    _set_before(shape)
+    set_before(shape)
     spin = acting_spin(shape)
     shape["spin"] = spin
     if shape["motion"] != KINEMATIC:

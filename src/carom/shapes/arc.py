@@ -1,0 +1,135 @@
+"""Arcs: curved walls with bare ends."""
+
+from __future__ import annotations
+
+from typing import Unpack
+
+from carom.checks import Vector, number, pair, positive, refuse
+from carom.geometry.angle import normalize_angle
+from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
+from carom.rows import ARC, Row
+from carom.shapes.pose import derive
+from carom.shapes.round import RoundShape
+from carom.shapes.shape import ShapeOptions
+
+
+class Arc(RoundShape):
+    """The part of a circle counterclockwise from `start_angle` to `end_angle`; takes the options of every `Shape` too.
+
+    Angles are in radians and kept in [0, 2π). Balls meet it from either side; its ends are bare, like a segment's.
+    Raises `InvalidArgument` for a radius that is not positive, and for equal angles or angles so near each other that
+    rounding makes both ends one point (use a `Circle`).
+
+    >>> bend = Arc((0, 0), 2, start_angle=0, end_angle=-1.5)
+    >>> bend.acute, bend.in_sector((0, 5)), bend.in_sector((1, -1))
+    (True, True, False)
+    """
+
+    __slots__ = ()
+
+    _KIND = ARC
+
+    def __init__(
+        self,
+        center: Vector,
+        radius: float,
+        start_angle: float,
+        end_angle: float,
+        **options: Unpack[ShapeOptions],
+    ) -> None:
+        x, y = pair("center", center)
+        size = positive("radius", radius)
+        start = normalize_angle(number("start_angle", start_angle))
+        end = normalize_angle(number("end_angle", end_angle))
+        self._create("end_angle", end_angle, options, cx=x, cy=y, radius=size, start_angle=start, end_angle=end)
+
+    def __repr__(self) -> str:
+        return f"Arc({self.center}, {self.radius}, {self.start_angle}, {self.end_angle})"
+
+    def _check(self, row: Row, name: str, value: object) -> None:
+        super()._check(row, name, value)
+        if row["ax"] == row["bx"] and row["ay"] == row["by"]:
+            raise refuse(name, "must leave the two ends apart", value)
+
+    # -- angles ------------------------------------------------------------------------------------------------------
+
+    @property
+    def start_angle(self) -> float:
+        """The angle of `p0`, in [0, 2π); the arc goes counterclockwise from there."""
+        return float(self._row["start_angle"])
+
+    @start_angle.setter
+    def start_angle(self, value: float) -> None:
+        self._set_geometry("start_angle", value, start_angle=normalize_angle(number("start_angle", value)))
+
+    @property
+    def end_angle(self) -> float:
+        """The angle of `p1`, in [0, 2π)."""
+        return float(self._row["end_angle"])
+
+    @end_angle.setter
+    def end_angle(self, value: float) -> None:
+        self._set_geometry("end_angle", value, end_angle=normalize_angle(number("end_angle", value)))
+
+    def set_angles(self, start_angle: float, end_angle: float) -> None:
+        """Nothing; sets both angles at once. Raises `InvalidArgument` where they are equal."""
+        start = normalize_angle(number("start_angle", start_angle))
+        end = normalize_angle(number("end_angle", end_angle))
+        self._set_geometry("end_angle", end_angle, start_angle=start, end_angle=end)
+
+    @property
+    def acute(self) -> bool:
+        """Whether the start angle is below the end angle, so that the arc does not go over the angle 0."""
+        return self.start_angle < self.end_angle
+
+    # -- what follows from them --------------------------------------------------------------------------------------
+
+    @property
+    def p0(self) -> Vector:
+        """The end at `start_angle`."""
+        row = self._row
+        return float(row["ax"]), float(row["ay"])
+
+    @property
+    def p1(self) -> Vector:
+        """The end at `end_angle`."""
+        row = self._row
+        return float(row["bx"]), float(row["by"])
+
+    @property
+    def t0(self) -> Vector:
+        """The unit tangent at `p0`, clockwise: it points out of the arc."""
+        x, y, _, _ = arc_tangents(self.start_angle, self.end_angle)
+        return x + 0.0, y + 0.0  # -0 + 0 is 0
+
+    @property
+    def t1(self) -> Vector:
+        """The unit tangent at `p1`, counterclockwise: it points out of the arc."""
+        _, _, x, y = arc_tangents(self.start_angle, self.end_angle)
+        return x + 0.0, y + 0.0
+
+    @property
+    def length(self) -> float:
+        """How far it is along the arc from end to end."""
+        return arc_length(self.radius, self.start_angle, self.end_angle)
+
+    def in_sector(self, p: Vector) -> bool:
+        """Whether the direction from the centre to `p` is one of the arc's; the bounding rays and the centre count."""
+        x, y = pair("p", p)
+        (cx, cy), (ax, ay), (bx, by) = self.center, self.p0, self.p1
+        return in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy)
+
+    def closest_point(self, p: Vector) -> Vector:
+        """The point of it that is nearest to `p`: an end outside the sector, its middle where `p` is the centre."""
+        x, y = pair("p", p)
+        return closest_on_arc(*self.center, self.radius, *self.p0, *self.p1, x, y)
+
+    def complement(self) -> Arc:
+        """The rest of the circle, as a new arc of the same surface and motion, in no world and no compound."""
+        row = self._lone_row()
+        for start, end in (("start_angle", "end_angle"), ("initial_start_angle", "initial_end_angle")):
+            row[start], row[end] = float(row[end]), float(row[start])
+        derive(row)
+        rest = Arc.__new__(Arc)
+        rest._begin(row, None, None)
+        return rest

@@ -1,0 +1,358 @@
+"""Compounds: shapes that turn and travel as one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from copy import copy
+from typing import Any
+
+from carom.checks import Vector, flag, layers, non_negative, number, pair, refuse, text_or_none
+from carom.geometry.vector import length
+from carom.rows import KINEMATIC, Motion, Row
+from carom.shapes.aabb import Aabb
+from carom.shapes.ball import Ball
+from carom.shapes.detection import Contact
+from carom.shapes.point import Point
+from carom.shapes.pose import set_initial
+from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
+from carom.shapes.shape import Shape
+
+#: What a compound may say for all parts about their surface.
+_SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_with")
+
+#: The fields of a part that its compound says, besides its pose.
+_MOTION = ("angular_velocity", "rotating", "turn_limited", "turn_low", "turn_high", "velocity_x", "velocity_y")
+
+
+def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
+    """The property of a compound that sets `name`, once `check` has passed its value, on all of its parts."""
+
+    def read(compound: Compound) -> Any:
+        return compound._surface.get(name)
+
+    def write(compound: Compound, value: Any) -> None:
+        compound._surface[name] = check(name, value)
+        for shape in compound.shapes:
+            setattr(shape, name, compound._surface[name])
+
+    return property(read, write, doc=f"The {name} that was set for all parts, those added later too; None if none was.")
+
+
+class Compound:
+    """A list of shapes that turn and travel as one about a pivot.
+
+    Its parts become kinematic, and move as the compound says: `pivot`, `orientation`, `angular_velocity` (rad/s),
+    `rotating`, `turn_limits` (radians) and `velocity` (length/s) are set here, not on the parts. A part is given as it
+    lies at orientation 0: one that is added to a compound that has turned or travelled goes the same way, as if it had
+    been there from the start. `elasticity`, `kick`, `sensor`, `can_collide`, `layer` and `collides_with` are each
+    part's own, unless they are set here, which sets them on every part and on those that are added later.
+
+    A hit's shape is the part that was hit, and `part.compound` leads back. `center_point` is a part too: a point that
+    starts at the pivot and collides with nothing. Raises `InvalidArgument` for what is no shape, and for a shape that
+    is a part already or in another world.
+
+    >>> import carom
+    >>> vane = carom.Compound([carom.Segment((1, 0), (3, 0)), carom.Point((3, 0))], pivot=(0, 0), angular_velocity=2.0)
+    >>> vane.rotate((0, 0), 3.141592653589793 / 2)
+    >>> [round(x, 9) for x in vane.shapes[1].position]
+    [0.0, 3.0]
+    """
+
+    __slots__ = ("__weakref__", "_name", "_parts", "_surface", "user")
+
+    elasticity = _surface("elasticity", non_negative)
+    kick = _surface("kick", non_negative)
+    sensor = _surface("sensor", flag)
+    can_collide = _surface("can_collide", flag)
+    layer = _surface("layer", layers)
+    collides_with = _surface("collides_with", layers)
+
+    def __init__(
+        self,
+        shapes: Iterable[Shape],
+        pivot: Vector,
+        *,
+        elasticity: float | None = None,
+        kick: float | None = None,
+        sensor: bool | None = None,
+        can_collide: bool | None = None,
+        layer: int | None = None,
+        collides_with: int | None = None,
+        angular_velocity: float = 0.0,
+        rotating: bool = True,
+        turn_limits: tuple[float, float] | None = None,
+        velocity: Vector = (0.0, 0.0),
+        name: str | None = None,
+        user: Any = None,
+    ) -> None:
+        center_point = Point(
+            pair("pivot", pivot),
+            motion=Motion.KINEMATIC,
+            can_collide=False,
+            angular_velocity=angular_velocity,
+            rotating=rotating,
+            turn_limits=turn_limits,
+            velocity=velocity,
+        )
+        self._parts: list[Shape] = [center_point]
+        self._surface: dict[str, Any] = {}
+        given = (elasticity, kick, sensor, can_collide, layer, collides_with)
+        for field, value in zip(_SURFACE, given, strict=True):
+            if value is not None:
+                setattr(self, field, value)
+        self._name = text_or_none("name", name)
+        self.user = user
+        self._take(_listed(shapes))
+        center_point._compound = self
+
+    def __repr__(self) -> str:
+        return f"Compound({list(self.shapes)}, {self.pivot})"
+
+    # -- parts -------------------------------------------------------------------------------------------------------
+
+    @property
+    def kind(self) -> str:
+        """Always "compound"; each part has its own kind."""
+        return "compound"
+
+    @property
+    def shapes(self) -> tuple[Shape, ...]:
+        """The parts in the order in which they were added, without the `center_point`."""
+        return tuple(self._parts[1:])
+
+    @property
+    def center_point(self) -> Shape:
+        """The point that starts at the pivot, moves with the compound and collides with nothing."""
+        return self._parts[0]
+
+    def __contains__(self, shape: object) -> bool:
+        return isinstance(shape, Shape) and shape.compound is self
+
+    def add(self, shape: Shape) -> Shape:
+        """`shape`, now a part: what was set on the compound holds for it too, and it is in the compound's world.
+
+        Raises `InvalidArgument` for what is no shape, and for a shape that is a part already or in another world.
+        """
+        self._take([shape])
+        if self.world is not None and shape.world is None:
+            self.world.add(shape)
+        return shape
+
+    def _take(self, shapes: list[Shape]) -> None:
+        """Nothing; makes parts of shapes, all or none."""
+        rows = [self._part_row(shape) for shape in shapes]
+        if len({id(shape) for shape in shapes}) < len(shapes):
+            raise refuse("shapes", "must not hold a shape twice", shapes)
+        for shape, row in zip(shapes, rows, strict=True):
+            shape._write(row)
+            shape._compound = self
+            self._parts.append(shape)
+            for name, value in self._surface.items():
+                setattr(shape, name, value)
+
+    def _part_row(self, shape: Shape) -> Row:
+        """The row that `shape` has as a part of this compound; raises where it cannot be one."""
+        if not isinstance(shape, Shape):
+            raise refuse("shape", "must be a Point, a Segment, a Gate, a Circle or an Arc", shape)
+        if shape.compound is not None:
+            raise refuse("shape", "must not be part of a compound already", shape)
+        if shape.world is not None and shape.world is not self.world:
+            raise refuse("shape", "must not be in another world than the compound", shape)
+        row, center = shape._row.copy(), self.center_point._row
+        row["motion"] = KINEMATIC
+        row["pivot_x"], row["pivot_y"] = center["initial_pivot_x"], center["initial_pivot_y"]
+        set_initial(row)
+        for field in _MOTION:
+            row[field] = center[field]
+        row["orientation"] = center["orientation"]
+        row["pivot_x"], row["pivot_y"] = center["pivot_x"], center["pivot_y"]
+        return shape._posed(row, "shape", shape)
+
+    # -- who it is ---------------------------------------------------------------------------------------------------
+
+    @property
+    def name(self) -> str | None:
+        """What the user calls it, or None."""
+        return self._name
+
+    @name.setter
+    def name(self, value: str | None) -> None:
+        self._name = text_or_none("name", value)
+
+    @property
+    def id(self) -> int | None:
+        """The number that its world gave its `center_point`; None outside of a world."""
+        return self.center_point.id
+
+    @property
+    def world(self) -> Any:
+        """The `World` that it is in, or None."""
+        return self.center_point.world
+
+    # -- where it is and how it moves --------------------------------------------------------------------------------
+
+    @property
+    def motion(self) -> Motion:
+        """Always KINEMATIC."""
+        return Motion.KINEMATIC
+
+    @property
+    def position(self) -> Vector:
+        """Where its `center_point` is. Setting it moves all parts and the pivot, and makes that their initial place."""
+        return self.center_point.position
+
+    @position.setter
+    def position(self, value: Vector) -> None:
+        x, y = pair("position", value)
+        from_x, from_y = self.position
+        pivot_x, pivot_y = self.pivot
+        pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
+        places = [(x + (part.position[0] - from_x), y + (part.position[1] - from_y)) for part in self._parts]
+        self._write([part._moved("position", value, p, pivot) for part, p in zip(self._parts, places, strict=True)])
+
+    @property
+    def pivot(self) -> Vector:
+        """The place about which it turns. Setting it makes the compound as it stands the initial one."""
+        return self.center_point.pivot
+
+    @pivot.setter
+    def pivot(self, value: Vector) -> None:
+        x, y = pair("pivot", value)
+        rows = [part._hung("pivot", value, x, y) for part in self._parts]
+        rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
+        self._write(rows)
+
+    @property
+    def orientation(self) -> float:
+        """How far it has turned since its initial pose, in radians. Setting it turns it about its pivot."""
+        return self.center_point.orientation
+
+    @orientation.setter
+    def orientation(self, value: float) -> None:
+        self._turn("orientation", value, *self.pivot)
+
+    def rotate(self, pivot: Vector, angle: float) -> None:
+        """Nothing; turns all parts from their initial geometry by `angle` radians about `pivot`, the new pivot.
+
+        Raises `InvalidArgument` for an angle beyond the turn limits.
+        """
+        self._turn("angle", angle, *pair("pivot", pivot))
+
+    def _turn(self, name: str, value: float, x: float, y: float) -> None:
+        """Nothing; turns all parts by the angle `value` about (x, y)."""
+        angle = number(name, value)
+        self._write([part._turned(name, value, x, y, angle) for part in self._parts])
+
+    def reset(self) -> None:
+        """Nothing; restores the initial geometry of all parts, and the initial pivot, bit for bit."""
+        self._write([part._restored() for part in self._parts])
+
+    def _write(self, rows: list[Row]) -> None:
+        """Nothing; writes the checked rows of all parts."""
+        for part, row in zip(self._parts, rows, strict=True):
+            part._write(row)
+
+    def _forward(self, write: Callable[[Row, Any], None], value: Any) -> None:
+        """Nothing; has `write` set `value` on all parts; the first one refuses before anything has changed."""
+        for part in self._parts:
+            write(part._row, value)
+            part._change()
+
+    @property
+    def angular_velocity(self) -> float:
+        """How fast it turns about its pivot, in rad/s; becomes 0 at a stop."""
+        return self.center_point.angular_velocity
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: float) -> None:
+        self._forward(write_angular_velocity, value)
+
+    @property
+    def rotating(self) -> bool:
+        """Whether the angular velocity acts."""
+        return self.center_point.rotating
+
+    @rotating.setter
+    def rotating(self, value: bool) -> None:
+        self._forward(write_rotating, value)
+
+    @property
+    def turn_limits(self) -> tuple[float, float] | None:
+        """The stops `(low, high)` of its orientation, in radians, or None."""
+        return self.center_point.turn_limits
+
+    @turn_limits.setter
+    def turn_limits(self, value: tuple[float, float] | None) -> None:
+        self._forward(write_turn_limits, value)
+
+    @property
+    def velocity(self) -> Vector:
+        """How fast its pivot, and it with that, travels, in length/s."""
+        return self.center_point.velocity
+
+    @velocity.setter
+    def velocity(self, value: Vector) -> None:
+        self._forward(write_velocity, value)
+
+    def surface_velocity(self, p: Vector) -> Vector:
+        """The velocity of the compound's matter at `p`, in length/s."""
+        return self.center_point.surface_velocity(p)
+
+    # -- what it meets -----------------------------------------------------------------------------------------------
+
+    @property
+    def aabb(self) -> Aabb:
+        """The smallest box around its parts; around its `center_point`, where it has none."""
+        boxes = [shape.aabb for shape in self.shapes] or [self.center_point.aabb]
+        return Aabb(
+            min(box.left for box in boxes),
+            min(box.bottom for box in boxes),
+            max(box.right for box in boxes),
+            max(box.top for box in boxes),
+        )
+
+    def closest_point(self, p: Vector) -> Vector:
+        """The point of its parts that is nearest to `p`; its position, where it has none."""
+        x, y = pair("p", p)
+        points = [shape.closest_point((x, y)) for shape in self.shapes] or [self.position]
+        return min(points, key=lambda q: length(x - q[0], y - q[1]))
+
+    def distance(self, p: Vector) -> float:
+        """How far `p` is from the `closest_point`; never negative."""
+        x, y = pair("p", p)
+        near_x, near_y = self.closest_point(p)
+        return length(x - near_x, y - near_y)
+
+    def detect(self, ball: Ball) -> Contact | None:
+        """The contact of `ball` with the first part that it overlaps, points before all others; None where none."""
+        for shape in sorted(self._parts, key=lambda part: part._KIND):
+            contact = shape.detect(ball)
+            if contact is not None:
+                return contact
+        return None
+
+    # -- copies: lone, with copies of the parts ----------------------------------------------------------------------
+
+    def __getstate__(self) -> Any:
+        """The parts, what was set on all of them, the name and the user's own data."""
+        return self._parts, self._surface, self._name, self.user
+
+    def __setstate__(self, state: Any) -> None:
+        """Nothing; a lone compound with the state that `__getstate__` gave."""
+        parts, surface, self._name, self.user = state
+        self._parts, self._surface = list(parts), dict(surface)
+        for part in self._parts:
+            part._compound = self
+
+    def __copy__(self) -> Compound:
+        twin = Compound.__new__(Compound)
+        twin.__setstate__(([copy(part) for part in self._parts], self._surface, self._name, self.user))
+        return twin
+
+
+def _listed(shapes: Iterable[Shape]) -> list[Shape]:
+    """`shapes` as a list; raises where they cannot be listed."""
+    try:
+        return list(shapes)
+    except TypeError:
+        raise refuse("shapes", "must be a list of shapes", shapes) from None

@@ -1,0 +1,213 @@
+"""What shapes and balls have in common: each is a view of one row, of its own or of the world that it is in."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
+
+from carom.checks import Vector, flag, layers, non_negative, text_or_none
+from carom.rows import KIND_NAMES, Motion, Row
+from carom.shapes.aabb import Aabb
+from carom.shapes.table import Home, Table
+
+if TYPE_CHECKING:
+    from carom.shapes.ball import Ball
+    from carom.shapes.detection import Contact
+
+
+class Member(ABC):
+    """A shape or ball: a view of the row `_row`, which is the only place where its state is.
+
+    A world takes a member in with `_enter`, gives it back with `_leave`, and makes the object for a row that it
+    already has with `_of_row`. Every setter checks, then writes, then calls `_change`, which tells the world.
+    """
+
+    __slots__ = ("__weakref__", "_id", "_index", "_name", "_table", "_world", "user")
+
+    _KIND: ClassVar[int]
+    _DTYPE: ClassVar[np.dtype[Any]]
+
+    _id: int | None
+    _index: int
+    _name: str | None
+    _table: Table
+    _world: Home | None
+    user: Any
+
+    def _begin(self, row: Row, name: str | None, user: Any) -> None:
+        """Nothing; makes this a lone member with a copy of `row`. The last thing that a constructor does."""
+        self._stand_alone(row)
+        self._name = name
+        self.user = user
+
+    def _stand_alone(self, row: Row) -> None:
+        """Nothing; gives the member a table of its own, with a copy of `row` in it."""
+        self._table = Table.of_one(self._DTYPE)
+        self._table.rows[0] = row
+        self._index = 0
+        self._id = None
+        self._world = None
+
+    # -- what a world calls ------------------------------------------------------------------------------------------
+
+    def _enter(self, world: Home, table: Table, index: int) -> None:
+        """Nothing; copies the row to `table.rows[index]`, all but the `id`, which the world has written there.
+
+        From here on the object is a view of that row, and `_change` calls `world._changed(self)`. The caller has made
+        sure that the member is in no world.
+        """
+        member_id = int(table.rows[index]["id"])
+        table.rows[index] = self._row
+        table.rows[index]["id"] = member_id
+        self._table, self._index, self._id, self._world = table, index, member_id, world
+
+    def _leave(self) -> None:
+        """Nothing; copies the row back to a table of its own, so that the object keeps its last values.
+
+        To be called while `table.rows[index]` still holds them. What only a world can know (id, sleep) is cleared.
+        """
+        self._stand_alone(self._lone_row())
+
+    @classmethod
+    def _of_row(cls, world: Home, table: Table, member_id: int, index: int = -1) -> Self:
+        """The object for a row that is in `table` already; nothing is checked and the row is not touched.
+
+        `index` may be left out where `table.index` finds rows by `_id`.
+        """
+        member = cls.__new__(cls)
+        member._table, member._index, member._id, member._world = table, index, member_id, world
+        member._name = member.user = None
+        return member
+
+    @property
+    def _row(self) -> Row:
+        """The row, as a view that can be written to."""
+        return self._table.row(self)
+
+    def _lone_row(self) -> Row:
+        """A copy of the row as it would be outside of any world."""
+        row = self._row.copy()
+        row["id"] = 0
+        return row
+
+    def _change(self) -> None:
+        """Nothing; tells the world that the row was changed from outside."""
+        if self._world is not None:
+            self._world._changed(self)
+
+    def _write(self, row: Row) -> None:
+        """Nothing; makes `row`, which was checked, the member's row, and tells the world."""
+        self._table.write(self, row)
+        self._change()
+
+    def _put(self, field: str, value: object) -> None:
+        """Nothing; writes one field, whose value was checked, and tells the world."""
+        self._row[field] = value
+        self._change()
+
+    # -- copies: always lone, whatever the original is in ------------------------------------------------------------
+
+    def __getstate__(self) -> Any:
+        """The row (array of shape (1,)), the name and the user's own data."""
+        return np.array([self._lone_row()], self._DTYPE), self._name, self.user
+
+    def __setstate__(self, state: Any) -> None:
+        """Nothing; a lone member with the state that `__getstate__` gave."""
+        rows, name, user = state
+        self._begin(rows[0], name, user)
+
+    # -- what every shape and ball has -------------------------------------------------------------------------------
+
+    @property
+    def kind(self) -> str:
+        """What it is: "point", "segment", "gate", "circle", "arc" or "ball"."""
+        return KIND_NAMES[self._KIND]
+
+    @property
+    def id(self) -> int | None:
+        """The number that its world gave it, never used twice there; None outside of a world."""
+        return self._id
+
+    @property
+    def world(self) -> Any:
+        """The `World` that it is in, or None."""
+        return self._world
+
+    @property
+    def name(self) -> str | None:
+        """What the user calls it, or None."""
+        return self._name
+
+    @name.setter
+    def name(self, value: str | None) -> None:
+        self._name = text_or_none("name", value)
+
+    @property
+    def elasticity(self) -> float:
+        """Its factor in the ratio of speeds after and before an impact; 0 or more, and above 1 adds speed."""
+        return float(self._row["elasticity"])
+
+    @elasticity.setter
+    def elasticity(self, value: float) -> None:
+        self._put("elasticity", non_negative("elasticity", value))
+
+    @property
+    def sensor(self) -> bool:
+        """Whether it only reports what overlaps it, and moves nothing."""
+        return bool(self._row["sensor"])
+
+    @sensor.setter
+    def sensor(self, value: bool) -> None:
+        self._put("sensor", flag("sensor", value))
+
+    @property
+    def can_collide(self) -> bool:
+        """Whether it meets anything at all."""
+        return bool(self._row["can_collide"])
+
+    @can_collide.setter
+    def can_collide(self, value: bool) -> None:
+        self._put("can_collide", flag("can_collide", value))
+
+    @property
+    def layer(self) -> int:
+        """The layers that it is on, as a mask of 32 bits."""
+        return int(self._row["layer"])
+
+    @layer.setter
+    def layer(self, value: int) -> None:
+        self._put("layer", layers("layer", value))
+
+    @property
+    def collides_with(self) -> int:
+        """The layers that it meets, as a mask of 32 bits; two meet iff each is on a layer that the other meets."""
+        return int(self._row["collides_with"])
+
+    @collides_with.setter
+    def collides_with(self, value: int) -> None:
+        self._put("collides_with", layers("collides_with", value))
+
+    @property
+    @abstractmethod
+    def motion(self) -> Motion:
+        """How it moves."""
+
+    @property
+    @abstractmethod
+    def aabb(self) -> Aabb:
+        """The smallest box around it."""
+
+    @property
+    @abstractmethod
+    def position(self) -> Vector:
+        """Where it is: a point's own place, a segment's midpoint, the centre of a circle, an arc or a ball."""
+
+    @abstractmethod
+    def closest_point(self, p: Vector) -> Vector:
+        """The point of it that is nearest to `p`; of its perimeter, where it is round."""
+
+    @abstractmethod
+    def detect(self, ball: Ball) -> Contact | None:
+        """The contact with `ball`, or None."""

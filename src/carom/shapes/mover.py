@@ -1,0 +1,252 @@
+"""Motion on rails: where a shape is, how it turns about a pivot and travels, and who may change that."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
+
+from carom.checks import Vector, number, pair, refuse
+from carom.rows import KINEMATIC, SHAPE, Motion, Row
+from carom.shapes.member import Member
+from carom.shapes.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
+from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+from carom.shapes.table import Home, Table
+
+if TYPE_CHECKING:
+    from carom.shapes.compound import Compound
+
+#: What must be finite in every row: the geometry, and what follows from it.
+_GEOMETRY = ("left", "bottom", "right", "top", "cx", "cy", "ax", "ay", "bx", "by", "length", "pivot_x", "pivot_y")
+
+
+class Mover(Member):
+    """A member whose pose follows from its initial geometry, an orientation and a pivot; the rails of every `Shape`.
+
+    What changes more than one field does so on a copy of the row, which is checked as a whole before it is written.
+    """
+
+    __slots__ = ("_compound",)
+
+    _DTYPE: ClassVar[np.dtype[Any]] = SHAPE
+
+    _compound: Compound | None
+
+    def _begin(self, row: Row, name: str | None, user: Any) -> None:
+        super()._begin(row, name, user)
+        self._compound = None
+
+    @classmethod
+    def _of_row(cls, world: Home, table: Table, member_id: int, index: int = -1) -> Self:
+        member = super()._of_row(world, table, member_id, index)
+        member._compound = None
+        return member
+
+    # -- changes -----------------------------------------------------------------------------------------------------
+
+    def _check(self, row: Row, name: str, value: object) -> None:
+        """Nothing; raises where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
+        if not all(isfinite(row[field]) for field in _GEOMETRY):
+            raise refuse(name, "must leave the shape's place and box finite", value)
+
+    def _refuse_part(self, name: str, value: object) -> None:
+        """Nothing; raises where the shape is part of a compound, which alone says where its parts are."""
+        if self._compound is not None:
+            raise refuse(name, "must be set on the compound that the shape is part of", value)
+
+    def _set_geometry(self, name: str, value: object, **fields: float) -> None:
+        """Nothing; writes fields of the current geometry, which becomes the initial one, or raises.
+
+        A pivot that is the shape's position stays so.
+        """
+        self._refuse_part(name, value)
+        row = self._row.copy()
+        centred = row["pivot_x"] == row["cx"] and row["pivot_y"] == row["cy"]
+        for field, new in fields.items():
+            row[field] = new
+        derive(row)
+        if centred:
+            row["pivot_x"], row["pivot_y"] = row["cx"], row["cy"]
+        self._check(row, name, value)
+        set_initial(row)
+        self._write(row)
+
+    def _moved(self, name: str, value: object, place: Vector, pivot: Vector) -> Row:
+        """A copy of the row moved to `place`, with its pivot at `pivot`, initial there; raises where that fails."""
+        row = self._row.copy()
+        from_x, from_y = self.position
+        x, y = place
+        row["cx"], row["cy"] = x, y
+        row["ax"], row["bx"] = float(row["ax"]) + (x - from_x), float(row["bx"]) + (x - from_x)
+        row["ay"], row["by"] = float(row["ay"]) + (y - from_y), float(row["by"]) + (y - from_y)
+        row["pivot_x"], row["pivot_y"] = pivot
+        derive(row)
+        self._check(row, name, value)
+        set_initial(row)
+        return row
+
+    def _hung(self, name: str, value: object, x: float, y: float) -> Row:
+        """A copy of the row with its pivot at (x, y), and the shape as it stands initial; raises where that fails."""
+        row = self._row.copy()
+        row["pivot_x"], row["pivot_y"] = x, y
+        self._check(row, name, value)
+        set_initial(row)
+        return row
+
+    def _turned(self, name: str, value: object, x: float, y: float, angle: float) -> Row:
+        """A copy of the row with its initial geometry turned by `angle` about (x, y); raises where that fails."""
+        row = self._row.copy()
+        low, high = float(row["turn_low"]), float(row["turn_high"])
+        if row["turn_limited"] and not low <= angle <= high:
+            raise refuse(name, f"must be within turn_limits={(low, high)}", value)
+        row["initial_pivot_x"], row["initial_pivot_y"] = row["pivot_x"], row["pivot_y"] = x, y
+        row["orientation"] = angle
+        return self._posed(row, name, value)
+
+    def _posed(self, row: Row, name: str, value: object) -> Row:
+        """The row, put where its orientation and pivot say and as if at rest there; raises where that fails."""
+        pose(row)
+        self._check(row, name, value)
+        set_before(row)
+        row["spin"] = 0.0
+        return row
+
+    # -- place -------------------------------------------------------------------------------------------------------
+
+    @property
+    def position(self) -> Vector:
+        """Where it is: a point's own place, a segment's midpoint, a circle's or an arc's centre. Setting it moves it.
+
+        The pivot moves along.
+        """
+        row = self._row
+        return float(row["cx"]), float(row["cy"])
+
+    @position.setter
+    def position(self, value: Vector) -> None:
+        x, y = pair("position", value)
+        self._refuse_part("position", value)
+        from_x, from_y = self.position
+        pivot_x, pivot_y = self.pivot
+        # Not the pivot plus the way: a pivot that is the position is to stay so, to the bit.
+        pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
+        self._write(self._moved("position", value, (x, y), pivot))
+
+    @property
+    def pivot(self) -> Vector:
+        """The place about which it turns; it travels with the shape."""
+        row = self._row
+        return float(row["pivot_x"]), float(row["pivot_y"])
+
+    @pivot.setter
+    def pivot(self, value: Vector) -> None:
+        x, y = pair("pivot", value)
+        self._refuse_part("pivot", value)
+        self._write(self._hung("pivot", value, x, y))
+
+    @property
+    def orientation(self) -> float:
+        """How far it has turned since its initial geometry, in radians; not brought to any range."""
+        return float(self._row["orientation"])
+
+    def rotate(self, pivot: Vector, angle: float) -> None:
+        """Nothing; turns the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
+
+        Always from the initial geometry, so a million small turns accumulate no drift. Raises `InvalidArgument` for a
+        static shape, a part of a compound, and an angle beyond the turn limits.
+
+        >>> import carom
+        >>> hand = carom.Segment((0, 0), (2, 0), motion="kinematic")
+        >>> hand.rotate((0, 0), 3.141592653589793 / 2)
+        >>> hand.orientation, hand.length
+        (1.5707963267948966, 2.0)
+        """
+        x, y = pair("pivot", pivot)
+        turn = number("angle", angle)
+        self._refuse_part("angle", angle)
+        if self._row["motion"] != KINEMATIC:
+            raise refuse("motion", "must be 'kinematic' for a shape that is to turn", "static")
+        self._write(self._turned("angle", angle, x, y, turn))
+
+    def reset(self) -> None:
+        """Nothing; restores the initial geometry and pivot, bit for bit. What moves the shape stays set."""
+        self._refuse_part("reset", "a call on one of its parts")
+        self._write(self._restored())
+
+    def _restored(self) -> Row:
+        """A copy of the row at its initial geometry and pivot."""
+        row = self._row.copy()
+        row["pivot_x"], row["pivot_y"] = row["initial_pivot_x"], row["initial_pivot_y"]
+        row["orientation"] = 0.0
+        return self._posed(row, "reset", None)
+
+    # -- motion ------------------------------------------------------------------------------------------------------
+
+    @property
+    def motion(self) -> Motion:
+        """How it moves: STATIC or KINEMATIC. Takes their names too."""
+        return Motion(int(self._row["motion"]))
+
+    @motion.setter
+    def motion(self, value: str | Motion) -> None:
+        self._refuse_part("motion", value)
+        write_motion(self._row, value)
+        self._change()
+
+    @property
+    def angular_velocity(self) -> float:
+        """How fast it turns about its pivot, in rad/s; becomes 0 at a stop."""
+        return float(self._row["angular_velocity"])
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: float) -> None:
+        self._refuse_part("angular_velocity", value)
+        write_angular_velocity(self._row, value)
+        self._change()
+
+    @property
+    def rotating(self) -> bool:
+        """Whether the angular velocity acts."""
+        return bool(self._row["rotating"])
+
+    @rotating.setter
+    def rotating(self, value: bool) -> None:
+        self._refuse_part("rotating", value)
+        write_rotating(self._row, value)
+        self._change()
+
+    @property
+    def turn_limits(self) -> tuple[float, float] | None:
+        """The stops `(low, high)` of its orientation, in radians, or None. They hold 0 and the orientation."""
+        row = self._row
+        return (float(row["turn_low"]), float(row["turn_high"])) if row["turn_limited"] else None
+
+    @turn_limits.setter
+    def turn_limits(self, value: tuple[float, float] | None) -> None:
+        self._refuse_part("turn_limits", value)
+        write_turn_limits(self._row, value)
+        self._change()
+
+    @property
+    def velocity(self) -> Vector:
+        """How fast its pivot, and it with that, travels, in length/s."""
+        row = self._row
+        return float(row["velocity_x"]), float(row["velocity_y"])
+
+    @velocity.setter
+    def velocity(self, value: Vector) -> None:
+        self._refuse_part("velocity", value)
+        write_velocity(self._row, value)
+        self._change()
+
+    def surface_velocity(self, p: Vector) -> Vector:
+        """The velocity of the shape's matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""
+        x, y = pair("p", p)
+        row = self._row
+        return surface_velocity(row, acting_spin(row), x, y)
+
+    @property
+    def compound(self) -> Compound | None:
+        """The compound that it is part of, or None."""
+        return self._compound

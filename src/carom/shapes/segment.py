@@ -1,0 +1,136 @@
+"""Segments: straight walls with bare ends."""
+
+from __future__ import annotations
+
+from typing import Unpack
+
+from carom.checks import Vector, pair, refuse
+from carom.geometry.line import closest_on_segment
+from carom.rows import SEGMENT, Row
+from carom.shapes.line import Line
+from carom.shapes.shape import Shape, ShapeOptions
+
+
+class Segment(Shape):
+    """A straight wall; takes the options of every `Shape` too.
+
+    `p0` is the end with the smaller x (of equal ones, with the smaller y), whatever order was given, and stays so when
+    the segment turns. The ends are bare: a ball whose centre lies past an end misses it, so corners need points (see
+    `guard_points`). Raises `InvalidArgument` where the ends are equal.
+
+    >>> wall = Segment((4, 0), (0, 0))
+    >>> wall.p0, wall.t0, wall.normal
+    ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
+    """
+
+    __slots__ = ()
+
+    _KIND = SEGMENT
+
+    def __init__(self, start: Vector, end: Vector, **options: Unpack[ShapeOptions]) -> None:
+        ax, ay = pair("start", start)
+        bx, by = pair("end", end)
+        self._create("end", end, options, ax=ax, ay=ay, bx=bx, by=by)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.p0}, {self.p1})"
+
+    def _check(self, row: Row, name: str, value: object) -> None:
+        super()._check(row, name, value)
+        if row["length"] == 0.0:
+            raise refuse(name, "must leave the two ends apart", value)
+
+    # -- ends --------------------------------------------------------------------------------------------------------
+
+    @property
+    def p0(self) -> Vector:
+        """The end with the smaller x; of equal ones, with the smaller y. Setting it may swap the ends' order."""
+        row = self._row
+        return float(row["ax"]), float(row["ay"])
+
+    @p0.setter
+    def p0(self, value: Vector) -> None:
+        x, y = pair("p0", value)
+        self._set_geometry("p0", value, ax=x, ay=y)
+
+    @property
+    def p1(self) -> Vector:
+        """The other end. Setting it may swap the ends' order."""
+        row = self._row
+        return float(row["bx"]), float(row["by"])
+
+    @p1.setter
+    def p1(self, value: Vector) -> None:
+        x, y = pair("p1", value)
+        self._set_geometry("p1", value, bx=x, by=y)
+
+    @property
+    def start(self) -> Vector:
+        """The same as `p0`, under the constructor's name; the order that was given is not kept."""
+        return self.p0
+
+    @property
+    def end(self) -> Vector:
+        """The same as `p1`, under the constructor's name."""
+        return self.p1
+
+    def set_ends(self, start: Vector, end: Vector) -> None:
+        """Nothing; moves both ends at once. Raises `InvalidArgument` where they are equal."""
+        ax, ay = pair("start", start)
+        bx, by = pair("end", end)
+        self._set_geometry("end", end, ax=ax, ay=ay, bx=bx, by=by)
+
+    # -- what follows from them --------------------------------------------------------------------------------------
+
+    @property
+    def t0(self) -> Vector:
+        """The unit tangent at `p0`, which points into the segment."""
+        row = self._row
+        return float(row["tx"]), float(row["ty"])
+
+    @property
+    def t1(self) -> Vector:
+        """The unit tangent at `p1`, which points into the segment: the opposite of `t0`."""
+        x, y = self.t0
+        return 0.0 - x, 0.0 - y  # not -x, which would make -0 of 0
+
+    @property
+    def normal(self) -> Vector:
+        """The unit normal perp(t0), counterclockwise of the way from `p0` to `p1`."""
+        x, y = self.t0
+        return 0.0 - y, x
+
+    @property
+    def length(self) -> float:
+        """How far it is from end to end."""
+        return float(self._row["length"])
+
+    @property
+    def line(self) -> Line:
+        """The infinite line that it is a part of."""
+        return Line.through(self.p0, self.p1)
+
+    @property
+    def gradient(self) -> float:
+        """dy/dx: 0 where it is horizontal, inf where vertical."""
+        return self.line.gradient
+
+    @property
+    def inverse_gradient(self) -> float:
+        """dx/dy: 0 where it is vertical, inf where horizontal."""
+        return self.line.inverse_gradient
+
+    @property
+    def x_intercept(self) -> float:
+        """The x at which its line has y = 0; inf where it is horizontal."""
+        return self.line.x_intercept
+
+    @property
+    def y_intercept(self) -> float:
+        """The y at which its line has x = 0; inf where it is vertical."""
+        return self.line.y_intercept
+
+    def closest_point(self, p: Vector) -> Vector:
+        """The point of it that is nearest to `p`; an end, where `p` lies past that."""
+        x, y = pair("p", p)
+        return closest_on_segment(*self.p0, *self.p1, x, y)

@@ -1,0 +1,154 @@
+"""What points, segments, gates, circles and arcs have in common: a surface, a pose, and motion on rails."""
+
+from __future__ import annotations
+
+import inspect
+from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
+
+import numpy as np
+
+from carom.checks import Vector, flag, layers, non_negative, pair, text_or_none
+from carom.geometry.vector import length
+from carom.rows import ALL_LAYERS, SHAPE, Motion, Row
+from carom.shapes.aabb import Aabb
+from carom.shapes.detection import Contact, detect_shape
+from carom.shapes.mover import Mover
+from carom.shapes.pose import derive, set_initial
+from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+
+if TYPE_CHECKING:
+    from carom.shapes.ball import Ball
+
+
+class ShapeOptions(TypedDict, total=False):
+    """The keyword arguments that every shape takes: `Shape` has their meaning, `Shape._fill` their defaults."""
+
+    elasticity: float
+    kick: float
+    sensor: bool
+    can_collide: bool
+    layer: int
+    collides_with: int
+    motion: str | Motion
+    pivot: Vector | None
+    angular_velocity: float
+    rotating: bool
+    turn_limits: tuple[float, float] | None
+    velocity: Vector
+    name: str | None
+    user: Any
+
+
+class Shape(Mover):
+    """Base of every shape that is no ball.
+
+    All shapes take these keyword arguments, and have them as attributes:
+
+    - `elasticity=1.0`, `kick=0.0` (a speed added along the normal at every bounce, in length/s), `sensor=False`,
+      `can_collide=True`, `layer=1`, `collides_with=` all layers;
+    - `motion="static"` or `"kinematic"`, and for kinematic shapes `pivot=None` (default: `position`),
+      `angular_velocity=0.0` (rad/s), `rotating=True` (whether that acts), `turn_limits=None` (or `(low, high)`, radians
+      of orientation with 0 between them), `velocity=(0, 0)` (of the pivot and the shape with it, in length/s);
+    - `name=None`, `user=None` (anything of the user's).
+
+    Setting any geometry, `pivot` included, makes the shape as it stands then the initial one, of orientation 0. Where
+    and how a part of a compound moves is set on the compound. A mistake raises `InvalidArgument`, which names the
+    argument and its value, before anything has changed.
+    """
+
+    __slots__ = ()
+
+    __signature__: ClassVar[inspect.Signature]
+
+    def __init_subclass__(cls) -> None:
+        """Nothing; spells the options of every shape out in the subclass's signature, for `help` and for tests."""
+        super().__init_subclass__()
+        own = list(inspect.signature(cls.__init__).parameters.values())[1:]
+        if own and own[-1].kind is inspect.Parameter.VAR_KEYWORD:
+            taken = {parameter.name for parameter in own}
+            common = list(inspect.signature(Shape._fill).parameters.values())[2:]
+            own[-1:] = [parameter for parameter in common if parameter.name not in taken]
+        cls.__signature__ = inspect.Signature(own)
+
+    # -- construction ------------------------------------------------------------------------------------------------
+
+    def _create(self, name: str, value: object, options: ShapeOptions, **geometry: float) -> None:
+        """Nothing; finishes the construction of a shape from the fields of its own geometry.
+
+        Raises `InvalidArgument`, with argument `name` and its `value` to blame, where that geometry is impossible.
+        """
+        row = np.zeros(1, SHAPE)[0]
+        row["kind"] = self._KIND
+        for field, number in geometry.items():
+            row[field] = number
+        derive(row)
+        self._check(row, name, value)
+        label, user = self._fill(row, **options)
+        set_initial(row)
+        self._begin(row, label, user)
+
+    def _fill(
+        self,
+        row: Row,
+        *,
+        elasticity: float = 1.0,
+        kick: float = 0.0,
+        sensor: bool = False,
+        can_collide: bool = True,
+        layer: int = 1,
+        collides_with: int = ALL_LAYERS,
+        motion: str | Motion = "static",
+        pivot: Vector | None = None,
+        angular_velocity: float = 0.0,
+        rotating: bool = True,
+        turn_limits: tuple[float, float] | None = None,
+        velocity: Vector = (0.0, 0.0),
+        name: str | None = None,
+        user: Any = None,
+    ) -> tuple[str | None, Any]:
+        """The checked name and the user's own; writes all other options to a row whose geometry is settled."""
+        row["elasticity"] = non_negative("elasticity", elasticity)
+        row["kick"] = non_negative("kick", kick)
+        row["sensor"] = flag("sensor", sensor)
+        row["can_collide"] = flag("can_collide", can_collide)
+        row["layer"] = layers("layer", layer)
+        row["collides_with"] = layers("collides_with", collides_with)
+        row["pivot_x"], row["pivot_y"] = (row["cx"], row["cy"]) if pivot is None else pair("pivot", pivot)
+        write_motion(row, motion)
+        write_rotating(row, rotating)
+        write_angular_velocity(row, angular_velocity)
+        write_turn_limits(row, turn_limits)
+        write_velocity(row, velocity)
+        return text_or_none("name", name), user
+
+    # -- surface -----------------------------------------------------------------------------------------------------
+
+    @property
+    def kick(self) -> float:
+        """The speed that it adds along the normal at every approach that bounces, in length/s; 0 or more."""
+        return float(self._row["kick"])
+
+    @kick.setter
+    def kick(self, value: float) -> None:
+        self._put("kick", non_negative("kick", value))
+
+    @property
+    def aabb(self) -> Aabb:
+        """The smallest box around it."""
+        row = self._row
+        return Aabb(float(row["left"]), float(row["bottom"]), float(row["right"]), float(row["top"]))
+
+    def distance(self, p: Vector) -> float:
+        """How far `p` is from the shape's `closest_point`; never negative."""
+        x, y = pair("p", p)
+        near_x, near_y = self.closest_point(p)
+        return length(x - near_x, y - near_y)
+
+    def detect(self, ball: Ball) -> Contact | None:
+        """The contact with `ball` where they overlap, or None; see `Contact`.
+
+        A shape that is no gate knows no past here: a ball beyond a segment's end or outside an arc's sector is a miss,
+        any other overlap a contact. A gate yields one where the ball's centre is on its closed side and the ball
+        approaches. The shape's motion counts in the contact's speed. Raises `InvalidArgument` for what is no ball.
+        """
+        return detect_shape(self, ball)
