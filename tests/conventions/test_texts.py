@@ -1,0 +1,67 @@
+"""The README and the pages of docs/ are true: their commands are there, their code runs, their links lead somewhere."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.conventions.source_trees import ROOT, named
+
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+
+INSTALL_AND_RUN = "pip install . && carom run pinball --seconds 20 --out pinball.svg"
+INSTALL_AND_TEST = 'pip install -e ".[dev]" && pytest'
+
+
+def blocks(page: Path, language: str) -> list[tuple[int, str]]:
+    """The page's code blocks in a language, each with the number of lines before it."""
+    text = page.read_text(encoding="utf-8")
+    return [
+        (text.count("\n", 0, found.start(2)), found.group(2))
+        for found in FENCE.finditer(text)
+        if found.group(1) == language
+    ]
+
+
+def anchors(page: Path) -> set[str]:
+    """The anchors of the page's headings."""
+    headings = HEADING.findall(FENCE.sub("", page.read_text(encoding="utf-8")))
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
+
+
+def broken_links(page: Path) -> list[str]:
+    """The page's links to files or headings that are not there."""
+    broken = []
+    for link in LINK.findall(FENCE.sub("", page.read_text(encoding="utf-8"))):
+        if link.startswith(("http://", "https://")):
+            continue
+        path, _, anchor = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        if not target.exists() or (anchor and anchor not in anchors(target)):
+            broken.append(link)
+    return broken
+
+
+def test_the_readme_opens_with_a_picture_and_the_two_commands() -> None:
+    shell = [line for _, text in blocks(ROOT / "README.md", "sh") for line in text.splitlines()]
+    assert shell[:2] == [INSTALL_AND_RUN, INSTALL_AND_TEST]
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert text.index("docs/pictures/pinball.svg") < text.index(INSTALL_AND_RUN)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=named)
+def test_the_code_of_a_page_runs_from_top_to_bottom(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    for lines_before, text in blocks(page, "python"):
+        exec(compile("\n" * lines_before + text, str(page), "exec"), names)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_links_lead_somewhere(page: Path) -> None:
+    assert broken_links(page) == []
