@@ -1,0 +1,92 @@
+"""Descriptors of what exists: the way back from shapes, balls and worlds to the descriptors that would make them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from copy import copy
+from typing import TYPE_CHECKING, Any
+
+from carom.rows import Motion
+from carom.scene.descriptors import (
+    MOTION_FIELDS,
+    ArcDescriptor,
+    BallDescriptor,
+    CircleDescriptor,
+    CompoundDescriptor,
+    GateDescriptor,
+    Part,
+    PointDescriptor,
+    SegmentDescriptor,
+    WorldDescriptor,
+)
+from carom.shapes.ball import Ball
+from carom.shapes.compound import Compound
+from carom.shapes.shape import Shape
+
+if TYPE_CHECKING:
+    from carom.world.world import World
+
+_DESCRIPTORS: dict[str, type[Part]] = {
+    "point": PointDescriptor,
+    "segment": SegmentDescriptor,
+    "gate": GateDescriptor,
+    "circle": CircleDescriptor,
+    "arc": ArcDescriptor,
+}
+
+
+def described(thing: Any) -> Any:
+    """The descriptor of a shape, compound or ball as it stands now; anything else as it is."""
+    if isinstance(thing, Ball):
+        return BallDescriptor(**_fields(thing, BallDescriptor.model_fields))
+    if isinstance(thing, Compound):
+        return _described_compound(thing)
+    return _described_shape(thing) if isinstance(thing, Shape) else thing
+
+
+def described_all(things: Any) -> Any:
+    """A list or tuple with the descriptors of the shapes, compounds and balls in it; anything else as it is."""
+    return tuple(described(thing) for thing in things) if isinstance(things, (list, tuple)) else things
+
+
+def described_world(world: World) -> WorldDescriptor:
+    """The descriptor of a world's settings."""
+    return WorldDescriptor(**_fields(world, WorldDescriptor.model_fields))
+
+
+def _described_shape(shape: Shape) -> Part:
+    """The descriptor of a shape."""
+    names = _DESCRIPTORS[shape.kind].model_fields
+    return _DESCRIPTORS[shape.kind](**_fields(_unturned(shape), names) | {"orientation": shape.orientation})
+
+
+def _described_part(shape: Shape) -> Part:
+    """The descriptor of a shape in a compound, which says nothing of how it moves."""
+    names = [name for name in _DESCRIPTORS[shape.kind].model_fields if name not in MOTION_FIELDS]
+    return _DESCRIPTORS[shape.kind](**_fields(_unturned(shape), names))
+
+
+def _described_compound(compound: Compound) -> CompoundDescriptor:
+    """The descriptor of a compound with all of its parts, each with its own surface."""
+    names = {"name", *MOTION_FIELDS} - {"motion"}
+    parts = tuple(_described_part(part) for part in compound.shapes)
+    return CompoundDescriptor(shapes=parts, **_fields(compound, names))
+
+
+def _unturned(shape: Shape) -> Shape:
+    """A lone copy of `shape` before it turned, which stands where the pivot is now."""
+    lone = copy(shape)
+    to_x, to_y = lone.pivot
+    lone.reset()
+    from_x, from_y = lone.pivot
+    if (from_x, from_y) != (to_x, to_y):
+        x, y = lone.position
+        lone.position = (x + (to_x - from_x), y + (to_y - from_y))
+        lone.pivot = (to_x, to_y)
+    return lone
+
+
+def _fields(thing: Any, names: Iterable[str]) -> dict[str, Any]:
+    """The attributes `names` of `thing`, as descriptors want them."""
+    values = {name: getattr(thing, name) for name in names}
+    return {name: value.name.lower() if isinstance(value, Motion) else value for name, value in values.items()}

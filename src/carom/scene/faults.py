@@ -1,0 +1,120 @@
+"""What is wrong with a scene, in words: one line per fault, each beginning with the fault's path."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from pydantic_core import PydanticCustomError
+
+from carom.errors import CaromError, SceneError
+
+if TYPE_CHECKING:
+    from pydantic import ValidationError
+    from pydantic_core import ErrorDetails
+
+#: The words for pydantic's types of error. Those not here speak for themselves.
+_WORDS = {
+    "missing": "is missing",
+    "extra_forbidden": "is unknown",
+    "greater_than": "must be positive",
+    "finite_number": "must be finite",
+    "float_type": "must be a number",
+    "float_parsing": "must be a number",
+    "int_type": "must be a whole number",
+    "int_from_float": "must be a whole number",
+    "bool_type": "must be true or false",
+    "string_type": "must be a string",
+    "string_unicode": "must be text that UTF-8 can hold",
+    "tuple_type": "must be a list",
+    "model_type": "must be a table",
+    "model_attributes_type": "must be a table",
+    "dict_type": "must be a table",
+    "union_tag_not_found": "is missing",
+}
+
+#: Types of error whose words say it all; the value would add nothing.
+_WITHOUT_VALUE = {"missing", "extra_forbidden", "union_tag_not_found"}
+
+
+def scene_error(faults: list[str]) -> SceneError:
+    """The error to raise for all `faults` of a scene."""
+    return SceneError(faults[0] if len(faults) == 1 else "\n  ".join([f"{len(faults)} faults", *faults]))
+
+
+def faults_of(error: ValidationError) -> list[str]:
+    """Every fault that pydantic found, as `path: words`, in the order of the scene."""
+    return [_fault(details) for details in error.errors(include_url=False)]
+
+
+def refused_below(error: CaromError, fields: Iterable[str]) -> PydanticCustomError:
+    """A constructor's `error` as a fault: of the field that its message begins with, if that is one of `fields`."""
+    message = str(error)
+    match = re.match(r"(\w+)((?:\[\d+\])*) (.*)", message, re.DOTALL)
+    if match and match[1] in set(fields):
+        return fault_below(f".{match[1]}{match[2]}", match[3])
+    return fault_below("", message)
+
+
+def fault_below(path: str, words: str) -> PydanticCustomError:
+    """A fault for a validator to raise: `words` about what lies at `path` below the validator's own place."""
+    return PydanticCustomError("below", "{words}", {"path": path, "words": words})
+
+
+def _fault(details: ErrorDetails) -> str:
+    """One fault as `path: words`."""
+    kind = details["type"]
+    path = path_of(details["loc"])
+    context = details.get("ctx", {})
+    if kind == "below":
+        return _joined(path + context["path"], context["words"])
+    if kind in {"union_tag_not_found", "union_tag_invalid"}:
+        path = f"{path}.kind"
+    return _joined(path, _words(kind, details))
+
+
+def _joined(path: str, words: str) -> str:
+    """`path: words`, or the words alone where the path is the scene itself."""
+    path = path.removeprefix(".")
+    return f"{path}: {words}" if path else words
+
+
+def _words(kind: str, details: ErrorDetails) -> str:
+    """What is wrong, and the value where it helps."""
+    context = details.get("ctx", {})
+    value = shortened(details["input"])
+    if kind == "union_tag_invalid":
+        return f"must be one of {context['expected_tags']}, not {context['tag']!r}"
+    if kind == "literal_error":
+        return f"must be {context['expected']}, not {value}"
+    if kind == "greater_than_equal":
+        least = context["ge"]
+        return f"must not be negative, not {value}" if least == 0 else f"must be at least {least}, not {value}"
+    if kind == "less_than_equal":
+        return f"must be at most {context['le']}, not {value}"
+    if kind not in _WORDS:
+        return details["msg"]
+    return _WORDS[kind] if kind in _WITHOUT_VALUE else f"{_WORDS[kind]}, not {value}"
+
+
+def shortened(value: object) -> str:
+    """`value` as it is written, cut where it is long."""
+    written = repr(value)
+    return written if len(written) <= 60 else f"{written[:57]}..."
+
+
+def path_of(location: tuple[int | str, ...]) -> str:
+    """A place in a scene as a user writes it: `shapes[3].radius`."""
+    path = ""
+    for place, step in enumerate(location):
+        if isinstance(step, int):
+            path += f"[{step}]"
+        elif not _is_tag(location, place):
+            path += f".{step}" if re.fullmatch(r"\w+", step) else f".{step!r}"
+    return path.removeprefix(".")
+
+
+def _is_tag(location: tuple[int | str, ...], place: int) -> bool:
+    """Whether pydantic put the step at `place` there to say which kind of shape it took; no file holds such a step."""
+    return place >= 2 and isinstance(location[place - 1], int) and location[place - 2] == "shapes"

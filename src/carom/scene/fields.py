@@ -1,0 +1,58 @@
+"""The types of a descriptor's fields: what a value in a scene file may be."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic_core import PydanticCustomError
+
+from carom.rows import ALL_LAYERS
+from carom.shapes.aabb import Aabb
+
+
+def _sequence(value: Any, count: int, what: str) -> tuple[Any, ...]:
+    """`value` as a tuple of `count` items, whatever they are; refused as not being `what`."""
+    if not isinstance(value, (str, bytes, dict, set, frozenset)):
+        try:
+            items = tuple(value)
+        except TypeError:
+            items = ()
+        if len(items) == count:
+            return items
+    raise PydanticCustomError("sequence", "must be {what}, not {value}", {"what": what, "value": repr(value)})
+
+
+def _as_pair(value: Any) -> tuple[Any, ...]:
+    """`value` as a tuple of two items."""
+    return _sequence(value, 2, "a pair of numbers")
+
+
+def _as_sides(value: Any) -> tuple[Any, ...]:
+    """`value`, an `Aabb` or four items, as a tuple of four items."""
+    if isinstance(value, Aabb):
+        return value.left, value.bottom, value.right, value.top
+    return _sequence(value, 4, "four numbers (left, bottom, right, top)")
+
+
+def _in_order(sides: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    """`sides`, unless one of them lies beyond the one across."""
+    left, bottom, right, top = sides
+    if left > right or bottom > top:
+        raise PydanticCustomError("sides", "must have left <= right and bottom <= top, not {value}", {"value": sides})
+    return sides
+
+
+def as_tuple(value: Any) -> Any:
+    """A list as a tuple; anything else as it is, for the field to judge."""
+    return tuple(value) if isinstance(value, list) else value
+
+
+Positive = Annotated[float, Field(gt=0.0)]
+NonNegative = Annotated[float, Field(ge=0.0)]
+Few = Annotated[int, Field(ge=1, le=16)]
+Many = Annotated[int, Field(ge=1, le=1_000_000)]
+Count = Annotated[int, Field(ge=1, le=2**31 - 1)]
+Layers = Annotated[int, Field(ge=0, le=ALL_LAYERS)]
+Vector = Annotated[tuple[float, float], BeforeValidator(_as_pair)]
+Sides = Annotated[tuple[float, float, float, float], AfterValidator(_in_order), BeforeValidator(_as_sides)]

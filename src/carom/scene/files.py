@@ -1,0 +1,111 @@
+"""Scene files: TOML and JSON to and from plain tables, and saving that leaves no half of a file behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import tomllib
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import tomli_w
+
+from carom.errors import SceneError
+
+Plain: TypeAlias = dict[str, Any]
+
+
+def read_plain(path: str | os.PathLike[str]) -> Plain:
+    """The table that a `.toml` or `.json` file holds; raises `SceneError`, with path and place, where that fails."""
+    read, _ = _form_of(path)
+    text = _text_of(path)
+    try:
+        return read(text)
+    except RecursionError:
+        raise SceneError(f"{os.fspath(path)}: nested too deeply") from None
+    except ValueError as error:
+        raise SceneError(f"{os.fspath(path)}: {error}") from None
+
+
+def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
+    """Nothing; writes `table` to a `.toml` or `.json` file, which is either as before or complete, whatever happens."""
+    _, write = _form_of(path)
+    data = write(table).encode("utf-8")
+    target = Path(os.path.realpath(path))
+    beside = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        with beside.open("xb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        beside.replace(target)
+    except OSError as error:
+        raise SceneError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
+    finally:
+        with suppress(OSError):
+            beside.unlink()
+
+
+def _form_of(path: str | os.PathLike[str]) -> tuple[Callable[[str], Plain], Callable[[Plain], str]]:
+    """How files with this path's ending are read and written."""
+    ending = Path(path).suffix.lower()
+    if ending not in _FORMS:
+        known = " or ".join(_FORMS)
+        raise SceneError(f"{os.fspath(path)}: must end in {known}, not {ending!r}")
+    return _FORMS[ending]
+
+
+def _text_of(path: str | os.PathLike[str]) -> str:
+    """What stands in a file, without the mark that some editors put before UTF-8."""
+    try:
+        return Path(path).read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise SceneError(f"{os.fspath(path)}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise SceneError(f"{os.fspath(path)}: is not UTF-8: {error.reason} (at byte {error.start})") from None
+    except ValueError as error:
+        raise SceneError(f"{os.fspath(path)!r}: is no file's name: {error}") from None
+
+
+def _from_json(text: str) -> Plain:
+    """The table that JSON holds; the words NaN and Infinity are read, so that the fault they are gets its path."""
+    table = json.loads(text, object_pairs_hook=_without_twins)
+    if not isinstance(table, dict):
+        raise ValueError(f"must hold one table, not a {type(table).__name__}")
+    return table
+
+
+def _without_twins(pairs: list[tuple[str, Any]]) -> Plain:
+    """The pairs as a table, unless a name stands in it twice."""
+    table: Plain = {}
+    for name, value in pairs:
+        if name in table:
+            raise ValueError(f"{name!r} stands twice in one table")
+        table[name] = value
+    return table
+
+
+def _to_json(table: Plain) -> str:
+    """`table` as JSON, two spaces deep."""
+    return json.dumps(table, indent=2, ensure_ascii=False) + "\n"
+
+
+def _to_toml(table: Plain) -> str:
+    """`table` as TOML, each list of numbers on one line."""
+    # Strings are written on one line, so that a list's line breaks are the only ones within a value.
+    return re.sub(r"\[\n((?: *[-+.\w]+,\n)+) *\]", _on_one_line, tomli_w.dumps(table))
+
+
+def _on_one_line(found: re.Match[str]) -> str:
+    """A list that was written with one number a line."""
+    return "[" + ", ".join(found[1].replace(",", " ").split()) + "]"
+
+
+#: By ending: how to read and how to write.
+_FORMS: dict[str, tuple[Callable[[str], Plain], Callable[[Plain], str]]] = {
+    ".toml": (tomllib.loads, _to_toml),
+    ".json": (_from_json, _to_json),
+}

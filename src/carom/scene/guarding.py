@@ -1,0 +1,31 @@
+"""Guard points for a scene's shapes: in the world beside them, or as parts of the compounds that they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from carom.shapes.compound import Compound
+from carom.shapes.guard import guard_points
+from carom.shapes.shape import Shape
+
+
+def guarded(shapes: Sequence[Shape | Compound]) -> list[Shape | Compound]:
+    """`shapes`, each compound with the points for its own ends among its parts, and after them the points for the rest.
+
+    A point beside a shape that turns moves as the shape is set to now; what is set on the shape later does not concern
+    the point. So a shape that is to be told to turn is best put into a compound.
+    """
+    for shape in shapes:
+        if isinstance(shape, Compound):
+            _guard_parts(shape)
+    alone = [shape for shape in shapes if not isinstance(shape, Compound)]
+    return [*shapes, *guard_points(alone)]
+
+
+def _guard_parts(compound: Compound) -> None:
+    """Nothing; adds the points that the parts of a compound need to it."""
+    orientation = compound.orientation
+    compound.reset()  # parts are added as they lie at orientation 0
+    for point in guard_points(compound.shapes):
+        compound.add(point)
+    compound.rotate(compound.pivot, orientation)

@@ -1,0 +1,94 @@
+"""Scenes: a world and what is in it, as one frozen description that files hold and worlds are built from."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+
+from pydantic import BaseModel, BeforeValidator, Field, ValidationError
+
+from carom.errors import InvalidArgument, SceneError
+from carom.scene.capture import described_all, described_world
+from carom.scene.descriptors import BallDescriptor, CompoundDescriptor, Descriptor, Part, WorldDescriptor
+from carom.scene.faults import faults_of, scene_error
+from carom.scene.files import Plain, read_plain, write_plain
+from carom.scene.guarding import guarded
+
+if TYPE_CHECKING:
+    from carom.world.world import World
+
+VERSION = 1
+
+ShapeList = Annotated[
+    tuple[Annotated[Part | CompoundDescriptor, Field(discriminator="kind")], ...], BeforeValidator(described_all)
+]
+BallList = Annotated[tuple[BallDescriptor, ...], BeforeValidator(described_all)]
+
+
+class Scene(Descriptor):
+    """A world's settings, shapes and balls, as they stand at the beginning.
+
+    `Scene(world=…, shapes=[…], balls=[…])` takes descriptors, tables as they stand in a file, and shapes and balls
+    themselves, whose state it copies (all but `user`). With `guard=True` the world gets the points that bare ends need.
+    A scene cannot be changed. A mistake raises `SceneError`, which lists every fault with its path.
+    """
+
+    version: Literal[1]
+    name: str | None = None
+    guard: bool = False
+    world: WorldDescriptor = WorldDescriptor()
+    shapes: ShapeList = ()
+    balls: BallList = ()
+
+    def __init__(self, /, **fields: Any) -> None:
+        self._fill({"version": VERSION} | fields)
+
+    def _fill(self, table: Plain) -> None:
+        """Nothing; sets the fields to what `table` holds, or raises `SceneError` with all that is wrong in it."""
+        try:
+            BaseModel.__init__(self, **table)
+        except ValidationError as error:
+            raise scene_error(faults_of(error)) from None
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """The scene in a `.toml` or `.json` file. Raises `SceneError` with the file's name and every fault in it."""
+        table = read_plain(path)
+        scene = cls.__new__(cls)
+        try:
+            scene._fill(table)
+        except SceneError as error:
+            raise SceneError(f"{os.fspath(path)}: {error}") from None
+        return scene
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Nothing; writes a `.toml` or `.json` file that loads as the same scene, bit for bit.
+
+        The file is complete or as it was before, whatever happens. Raises `SceneError` where it cannot be written.
+        """
+        write_plain(path, self.plain())
+
+    def build(self) -> World:
+        """A new world with the scene's settings, shapes (those that guard after those they guard) and balls."""
+        from carom.world.world import World  # here, so that scenes can be read and checked without a compiler
+
+        try:
+            world = World(**self.world.settings())
+        except InvalidArgument as error:
+            raise SceneError(f"world: {error}") from None
+        shapes = [descriptor.build() for descriptor in self.shapes]
+        for shape in guarded(shapes) if self.guard else shapes:
+            world.add(shape)
+        for ball in self.balls:
+            world.add(ball.build())
+        return world
+
+    @classmethod
+    def from_world(cls, world: World) -> Self:
+        """A scene of `world` as it stands now: settings, shapes and balls, without time, ids, passing and sleep."""
+        return cls(world=described_world(world), shapes=list(world.shapes), balls=list(world.balls))
+
+    @classmethod
+    def json_schema(cls) -> Plain:
+        """The JSON Schema of scene files, for editors that complete and check them."""
+        return {"$schema": "https://json-schema.org/draft/2020-12/schema", **cls.model_json_schema()}

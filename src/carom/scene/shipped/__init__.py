@@ -1,0 +1,33 @@
+"""The scenes that come with carom: `carom.scenes`."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from carom.errors import SceneError
+from carom.scene.scene import Scene
+from carom.scene.shipped.billiards import sinai, stadium
+from carom.scene.shipped.galton import galton
+from carom.scene.shipped.gas import gas
+from carom.scene.shipped.newtons_cradle import newtons_cradle
+from carom.scene.shipped.pinball import pinball
+from carom.scene.shipped.pool import pool
+from carom.scene.shipped.toy import toy
+
+#: The shipped scenes, and nothing else.
+__all__ = ["galton", "gas", "newtons_cradle", "pinball", "pool", "sinai", "stadium", "toy"]
+
+
+def names() -> tuple[str, ...]:
+    """The names of all shipped scenes, in the order of the alphabet."""
+    return tuple(__all__)
+
+
+def by_name(name: str) -> Scene:
+    """The shipped scene called `name`, as it is without arguments. Raises `SceneError` if there is none."""
+    if name in __all__:
+        scene: Scene = globals()[name]()
+        return scene
+    near = get_close_matches(name, __all__, n=1)
+    hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(__all__)}"
+    raise SceneError(f"no shipped scene is called {name!r}; {hint}")
