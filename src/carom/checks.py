@@ -5,6 +5,9 @@ from __future__ import annotations
 from math import isfinite
 from typing import Any, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS
 
@@ -92,3 +95,27 @@ def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
     if isinstance(value, str) and value in choices:
         return value
     raise refuse(name, "must be one of " + ", ".join(map(repr, choices)), value)
+
+
+def array(
+    name: str, value: Any, shape: tuple[int, ...], above: float | None = None, least: float | None = None
+) -> NDArray[np.float64]:
+    """`value` as a float64 array of `shape` (-1: any length), one value or row standing for all.
+
+    All values must be finite, greater than `above` and not less than `least`.
+    """
+    try:
+        result = np.asarray(value, dtype=np.float64)
+        if shape[0] >= 0:
+            result = np.broadcast_to(result, shape)
+    except (TypeError, ValueError):
+        raise refuse(name, f"must be numbers of shape {shape}", value) from None
+    if result.ndim != len(shape) or result.shape[1:] != shape[1:]:
+        raise refuse(name, f"must be numbers of shape {('n', *shape[1:])}", value)
+    if not np.isfinite(result).all():
+        raise refuse(name, "must be finite", value)
+    if above is not None and not (result > above).all():
+        raise refuse(name, "must be positive", value)
+    if least is not None and not (result >= least).all():
+        raise refuse(name, "must not be negative", value)
+    return result

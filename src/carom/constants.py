@@ -63,3 +63,23 @@ SPLITTER = 134217729.0
 
 #: Multiple of their points' distance; lines that meet no nearer than this are parallel, for their crossing overflows.
 FARTHEST_CROSSING = 1e300
+
+#: Cells at most per ball in the grid that finds pairs of balls (4 bytes each). Fewer, and cells share their numbers
+#: earlier, which costs tests. Changes the speed and the order of pairs alone.
+GRID_CELLS_PER_BALL = 4.0
+
+#: Relative: a root counts as found when a step towards it is shorter than this. A few units in the last place of 1;
+#: smaller, and the search goes round in rounding.
+ROOT_TOLERANCE = 1e-15
+
+#: Steps towards a root at most. Halving alone takes 53 from any enclosure to its last digit; Newton's method about 5.
+ROOT_STEPS = 100
+
+#: Relative to a ball's velocity: a slower approach is the rounding of its direction (a response leaves up to 5e-16), so
+#: a ball that touches and approaches slower slides. Smaller, and a ball that slides meets the same surface for ever.
+APPROACH_ROUNDING = 1e-15
+APPROACH_ROUNDING_SQUARED = APPROACH_ROUNDING * APPROACH_ROUNDING
+
+#: Relative to the squared length of a ball's path from its centre to a shape: what passes by so clearly is left out
+#: before its times are computed. Far above the rounding of that estimate (1e-15), so that no touch is lost by it.
+GRAZING = 1e-12

@@ -1,8 +1,15 @@
 """The exceptions of carom: one family, so that one `except` clause can catch them all."""
 
+from typing import Any
+
 
 class CaromError(Exception):
-    """Base of every exception that carom raises on purpose."""
+    """Base of every exception that carom raises on purpose.
+
+    `hits` are those of the steps that `World.run` made before the one that failed; None from anywhere else.
+    """
+
+    hits: Any = None
 
 
 class InvalidArgument(CaromError, ValueError):

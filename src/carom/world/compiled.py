@@ -1,0 +1,180 @@
+"""The one place that knows Numba: compiles the kernels when a world first needs them, and keeps the result on disk.
+
+The cache is keyed by a hash of all kernel sources, because Numba alone does not see that a callee in another file has
+changed. It lives in the user's cache folder (or in `CAROM_CACHE_DIR`) and may be deleted at any time. With
+`NUMBA_DISABLE_JIT=1`, or without Numba, the same functions run interpreted, bit for bit the same, slowly.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import importlib.util
+import inspect
+import os
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+#: Every module whose functions kernels call. Plain functions of floats and rows; tests hold them to the house rules.
+KERNEL_MODULES = (
+    "carom.geometry.vector",
+    "carom.geometry.angle",
+    "carom.geometry.aabb",
+    "carom.geometry.line",
+    "carom.geometry.circle",
+    "carom.geometry.arc",
+    "carom.geometry.overlap",
+    "carom.geometry.response",
+    "carom.shapes.pose",
+    "carom.shapes.contact",
+    "carom.world.motion",
+    "carom.world.quadtree",
+    "carom.world.shape_index",
+    "carom.world.pairs",
+    "carom.world.grid",
+    "carom.world.relations",
+    "carom.world.recording",
+    "carom.world.narrow",
+    "carom.world.ending",
+    "carom.world.safety",
+    "carom.world.discrete",
+)
+
+#: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.
+SOURCES_BESIDES = ("carom.constants", "carom.rows", "carom.world.layout", "carom.world.compiled")
+
+Kernel = Callable[..., Any]
+
+_loaded: dict[str, Kernel] = {}
+
+
+def load(name: str) -> Kernel:
+    """The kernel `module.function` of `carom.world`, compiled where Numba is there and not switched off."""
+    if name not in _loaded:
+        module_name, function_name = name.rsplit(".", 1)
+        function = getattr(importlib.import_module(f"carom.world.{module_name}"), function_name)
+        _loaded[name] = _compile(function)
+    return _loaded[name]
+
+
+def _compile(function: Kernel) -> Kernel:
+    """The function compiled by Numba, or the function itself."""
+    # SVML gives other last bits than the C library does, so it must be off before Numba is first imported.
+    os.environ.setdefault("NUMBA_DISABLE_INTEL_SVML", "1")
+    try:
+        import numba
+    except ImportError:
+        return function
+    config: Any = numba.config
+    if config.DISABLE_JIT:
+        return function
+    _register_once(numba)
+    folder = cache_folder()
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        kernel: Kernel = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    except (OSError, RuntimeError):
+        kernel = numba.njit(nogil=True, error_model="numpy")(function)
+    finally:
+        config.CACHE_DIR = before
+    return _told(numba, kernel, function.__name__)
+
+
+_registered: list[Kernel] = []
+
+
+def kernel_functions() -> list[Kernel]:
+    """Every function that kernels may call, in the order of their modules."""
+    found: list[Kernel] = []
+    for module_name in KERNEL_MODULES:
+        module = importlib.import_module(module_name)
+        for _, function in inspect.getmembers(module, inspect.isfunction):
+            if function.__module__ == module_name:
+                found.append(function)
+    return found
+
+
+def _register_once(numba: Any) -> None:
+    """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
+    if not _registered:
+        _registered.extend(kernel_functions())
+        for function in _registered:
+            numba.extending.register_jitable(error_model="numpy")(function)
+
+
+def source_hash() -> str:
+    """A hash of the text of all kernel sources."""
+    digest = hashlib.blake2b(digest_size=12)
+    for module_name in KERNEL_MODULES + SOURCES_BESIDES:
+        spec = importlib.util.find_spec(module_name)
+        if spec is not None and spec.origin is not None:
+            digest.update(Path(spec.origin).read_bytes())
+    return digest.hexdigest()
+
+
+def cache_folder() -> Path:
+    """The folder of compiled code for these sources: below `CAROM_CACHE_DIR`, or below the user's cache folder."""
+    chosen = os.environ.get("CAROM_CACHE_DIR")
+    if chosen:
+        return Path(chosen) / source_hash()
+    import platformdirs
+
+    return Path(platformdirs.user_cache_dir("carom")) / source_hash()
+
+
+def _told(numba: Any, kernel: Any, name: str) -> Kernel:
+    """The kernel, which on its first call says on stderr that it compiles, how far it is and how long it took."""
+
+    def first_call(*arguments: Any) -> Any:
+        teller = _Teller(name)
+        with numba.core.event.install_listener("numba:compile", teller.listener(numba)):
+            result = kernel(*arguments)
+        teller.done()
+        _loaded.update({key: kernel for key, value in _loaded.items() if value is first_call})
+        return result
+
+    return first_call
+
+
+class _Teller:
+    """Counts the functions that Numba compiles and writes a line about it, if it has to compile at all."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name.replace("_", " ")
+        self.total = len(_registered)
+        self.seen: set[str] = set()
+        self.began = time.perf_counter()
+
+    def listener(self, numba: Any) -> Any:
+        """A Numba listener that reports to this teller."""
+        teller = self
+
+        class Listener(numba.core.event.Listener):  # type: ignore[misc]
+            def on_start(self, event: Any) -> None:
+                teller.see(str(getattr(event.data.get("dispatcher"), "__name__", "")))
+
+            def on_end(self, event: Any) -> None:
+                pass
+
+        return Listener()
+
+    def see(self, function: str) -> None:
+        """Take note of one more function being compiled."""
+        first = not self.seen
+        self.seen.add(function)
+        if first:
+            print(f"carom: compiling {self.name}, once on this machine ...", file=sys.stderr, flush=True)
+        if sys.stderr.isatty():
+            print(f"\rcarom: {len(self.seen)} of about {self.total} functions", end="", file=sys.stderr, flush=True)
+
+    def done(self) -> None:
+        """Say how long it took, if anything was compiled."""
+        if self.seen:
+            start = "\r" if sys.stderr.isatty() else ""
+            seconds = time.perf_counter() - self.began
+            print(f"{start}carom: compiled {self.name} in {seconds:.1f} s", file=sys.stderr, flush=True)

@@ -1,0 +1,256 @@
+"""A step in the discrete mode: overlaps are found after moving (2.2).
+
+Each stage can stop where room runs out, and go on from there when there is more.
+"""
+
+from __future__ import annotations
+
+from carom.geometry.vector import length
+from carom.rows import Row, Rows
+from carom.world.ending import finish_substep, sweep_relations
+from carom.world.grid import pairs_by_grid
+from carom.world.layout import (
+    BEGIN,
+    BRUTE,
+    DONE,
+    END,
+    FIND_PAIRS,
+    FINISH,
+    GRID,
+    MOVE,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    PAIRS,
+    PAIRS_DUE,
+    SHAPES,
+    SHAPES_DUE,
+)
+from carom.world.motion import move_ball, move_shapes
+from carom.world.narrow import boxes_apart, may_collide, meet_pair, meet_shape
+from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.relations import relations_room
+from carom.world.safety import begin_step, end_step
+from carom.world.shape_index import FIXED, MOVING, build_index, locate
+
+
+def step_discrete(
+    states: Rows,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    slots: Rows,
+    starts: Rows,
+    pairs: Rows,
+    saved: Rows,
+    hits: Rows,
+    relations: Rows,
+) -> int:
+    """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on from where it is.
+
+    `states` holds the world's state and the copy that a failed step is rolled back to. Called again after NEEDS_ROOM or
+    NEEDS_PAIRS with more of what `state["wanted_*"]` names, the outcome is the same as if there had been room.
+    """
+    state = states[0]
+    while state["steps_left"] > 0:
+        stage = state["stage"]
+        if stage == BEGIN:
+            status = begin_step(states, balls, shapes, order, saved, relations)
+        elif stage == MOVE:
+            status = begin_substep(state, balls, shapes, order, index, cells, members)
+        elif stage == SHAPES:
+            status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+        elif stage == FIND_PAIRS:
+            status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
+        elif stage == PAIRS:
+            status = meet_all_pairs(state, balls, pairs, saved, hits, relations)
+        elif stage == FINISH:
+            status = finish(state, balls, shapes, hits, relations)
+        else:
+            status = end_step(states, balls, shapes, order, saved, relations)
+        if status != DONE:
+            return status
+    return DONE
+
+
+def substep_length(state: Row) -> float:
+    """The length of a substep in seconds."""
+    return float(state["dt"]) / float(state["substeps"])
+
+
+def hit_time(state: Row) -> float:
+    """The world's time at the end of the substep, which is the time of its hits."""
+    if state["substep"] + 1 == state["substeps"]:
+        return float(state["time"]) + float(state["dt"])
+    return float(state["time"]) + float(state["substep"] + 1) * substep_length(state)
+
+
+def rest_speed(state: Row) -> float:
+    """The speed of approach below which an inelastic contact comes to rest."""
+    speed = float(state["rest_speed"])
+    if speed >= 0.0:
+        return speed
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    return 2.0 * length(gx, gy) * substep_length(state)
+
+
+def begin_substep(state: Row, balls: Rows, shapes: Rows, order: Rows, index: Rows, cells: Rows, members: Rows) -> int:
+    """DONE when the kinematic shapes have moved and the index of shapes is right again."""
+    if state["stage_entered"] == 0:
+        if move_shapes(state, balls, shapes, order, substep_length(state)):
+            state["moving_stale"] = 1
+        state["stage_entered"] = 1
+    if state["index_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+            return NEEDS_PAIRS
+        state["index_stale"] = 0
+        state["moving_stale"] = 1
+    if state["moving_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+            return NEEDS_PAIRS
+        state["moving_stale"] = 0
+    state["iteration"] = 0
+    state["found"] = 0
+    enter_stage(state, SHAPES)
+    return DONE
+
+
+def enter_stage(state: Row, stage: int) -> None:
+    """Go on with a stage from its beginning."""
+    state["stage"] = stage
+    state["cursor"] = 0
+    state["stage_entered"] = 0
+
+
+def meet_all_shapes(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    saved: Rows,
+    hits: Rows,
+    relations: Rows,
+) -> int:
+    """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out."""
+    first = state["iteration"] == 0
+    duration = substep_length(state)
+    time = hit_time(state)
+    rest = rest_speed(state)
+    gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
+    most = int(index[FIXED]["longest"] + index[MOVING]["longest"])
+    for i in range(state["cursor"], state["balls"]):
+        ball = balls[i]
+        if ball["asleep"] != 0 or not (first or saved[i]["touched"] & SHAPES_DUE):
+            continue
+        if len(hits) - state["hits"] < most or relations_room(state, relations) < most:
+            state["cursor"] = i
+            state["wanted_hits"] = state["hits"] + most
+            state["wanted_relations"] = state["relations"] + most
+            return NEEDS_ROOM
+        from_x, from_y = float(ball["x"]), float(ball["y"])
+        if first:
+            move_ball(ball, duration, gravity_x, gravity_y)
+        saved[i]["touched"] &= PAIRS_DUE
+        to_x, to_y = float(ball["x"]), float(ball["y"])
+        for which in range(2):
+            cell = locate(state, index[which], cells, to_x, to_y)
+            if cell >= 0:
+                begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
+                state["box_tests"] += end - begin
+                for k in range(begin, end):
+                    row = int(members[k])
+                    shape = shapes[row]
+                    if not boxes_apart(ball, shape) and may_collide(ball, shape):
+                        meet_shape(
+                            state, ball, i, shape, row, hits, relations, saved[i],
+                            time, rest, first, from_x, from_y, to_x, to_y,
+                        )  # fmt: skip
+    enter_stage(state, FIND_PAIRS)
+    return DONE
+
+
+def find_pairs(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    slots: Rows,
+    starts: Rows,
+    pairs: Rows,
+    saved: Rows,
+) -> int:
+    """DONE when `pairs` holds the pairs of balls to be tested in this iteration; NEEDS_PAIRS if it has too few rows."""
+    count = 0
+    if state["balls"] > 1:
+        tests = int(state["box_tests"])
+        if state["broad_phase"] == BRUTE:
+            count = pairs_by_brute_force(state, balls, pairs)
+        elif state["broad_phase"] == GRID:
+            count = pairs_by_grid(state, balls, slots, starts, pairs)
+        else:
+            root = int(index[MOVING]["cells_end"])
+            free = int(index[MOVING]["members_end"])
+            end = plant_ball_tree(state, balls, shapes, cells, members, root, free)
+            count = pairs_by_quadtree(state, balls, cells, members, root, end, pairs) if end > 0 else -1
+        if count < 0:
+            state["box_tests"] = tests
+            return NEEDS_PAIRS
+    if state["iteration"] > 0:
+        count = keep_due(pairs, count, saved)
+    for i in range(state["balls"]):
+        saved[i]["touched"] &= SHAPES_DUE
+    state["pairs"] = count
+    enter_stage(state, PAIRS)
+    return DONE
+
+
+def keep_due(pairs: Rows, count: int, saved: Rows) -> int:
+    """The number of pairs left when those that have not moved since they were last tested are taken out."""
+    kept = 0
+    for k in range(count):
+        i, j = pairs[k, 0], pairs[k, 1]
+        if (saved[i]["touched"] | saved[j]["touched"]) & PAIRS_DUE:
+            pairs[kept, 0] = i
+            pairs[kept, 1] = j
+            kept += 1
+    return kept
+
+
+def meet_all_pairs(state: Row, balls: Rows, pairs: Rows, saved: Rows, hits: Rows, relations: Rows) -> int:
+    """DONE when the pairs have been tested, each once, and the next iteration or the substep's end is to come."""
+    time = hit_time(state)
+    rest = rest_speed(state)
+    for k in range(state["cursor"], state["pairs"]):
+        if state["hits"] >= len(hits) or relations_room(state, relations) < 1:
+            state["cursor"] = k
+            state["wanted_hits"] = state["hits"] + 1
+            state["wanted_relations"] = state["relations"] + 1
+            return NEEDS_ROOM
+        first, second = int(pairs[k, 0]), int(pairs[k, 1])
+        meet_pair(state, balls, min(first, second), max(first, second), hits, relations, saved, time, rest)
+    state["iteration"] += 1
+    if state["found"] > 0 and state["iteration"] < state["iterations"]:
+        enter_stage(state, SHAPES)
+    else:
+        enter_stage(state, FINISH)
+    state["found"] = 0
+    return DONE
+
+
+def finish(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations: Rows) -> int:
+    """DONE when ending relations, friction and sleep are dealt with; the next substep or the end is to come."""
+    if state["relations"] > 0:
+        if len(hits) - state["hits"] < state["relations"]:
+            state["wanted_hits"] = state["hits"] + state["relations"]
+            return NEEDS_ROOM
+        sweep_relations(state, balls, shapes, hits, relations, hit_time(state))
+    finish_substep(state, balls, substep_length(state))
+    state["substep"] += 1
+    enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)
+    return DONE

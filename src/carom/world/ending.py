@@ -1,0 +1,78 @@
+"""The end of a substep: relations that end, friction, and balls that fall asleep."""
+
+from __future__ import annotations
+
+from carom.rows import NO_RELATION, Row, Rows
+from carom.shapes.contact import find_contact
+from carom.world.layout import EXIT, INSIDE_BALL, INSIDE_SHAPE, PASSING
+from carom.world.motion import slow_by_friction
+from carom.world.narrow import boxes_apart, may_collide
+from carom.world.recording import write_hit
+from carom.world.relations import drop_relation
+from carom.world.shape_index import distance_to_shape
+
+
+def still_holds(balls: Rows, shapes: Rows, ball: Row, kind: int, other: int) -> bool:
+    """True if a ball's relation lasts: it overlaps the other row still, and both are there to collide.
+
+    A ball that passes a segment or arc overlaps it as long as any place of it, the ends included, is inside the ball.
+    """
+    if kind == INSIDE_BALL:
+        partner = balls[other]
+        if not may_collide(ball, partner) or (partner["sensor"] == 0 and ball["sensor"] == 0):
+            return False
+        dx, dy = float(partner["x"]) - float(ball["x"]), float(partner["y"]) - float(ball["y"])
+        reach = float(partner["radius"]) + float(ball["radius"])
+        return dx * dx + dy * dy < reach * reach
+    shape = shapes[other]
+    if not may_collide(ball, shape) or boxes_apart(ball, shape):
+        return False
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    if kind == PASSING:
+        return bool(shape["sensor"] == 0 and ball["sensor"] == 0 and distance_to_shape(shape, x, y) < radius)
+    if shape["sensor"] == 0 and ball["sensor"] == 0:
+        return False
+    return find_contact(shape, x, y, radius, 0.0, 0.0) is not None
+
+
+def sweep_relations(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations: Rows, time: float) -> None:
+    """Drop the relations that do not hold any more; a sensor's end with an `EXIT`, for which there must be room."""
+    for i in range(state["balls"]):
+        ball = balls[i]
+        before = NO_RELATION
+        place = int(ball["relation"])
+        while place != NO_RELATION:
+            kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
+            if still_holds(balls, shapes, ball, kind, other):
+                before = place
+                place = int(relations[place]["next"])
+            else:
+                if kind == INSIDE_SHAPE:
+                    write_hit(state, hits, time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+                elif kind == INSIDE_BALL:
+                    write_hit(state, hits, time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+                place = drop_relation(state, relations, ball, place, before)
+
+
+def finish_substep(state: Row, balls: Rows, duration: float) -> None:
+    """Apply friction for `duration` seconds, and put to sleep the balls that have been slow for long enough."""
+    loss = float(state["friction"]) * duration
+    sleep_speed = float(state["sleep_speed"])
+    if loss == 0.0 and sleep_speed == 0.0:
+        return
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if ball["asleep"] != 0:
+            continue
+        if loss > 0.0:
+            slow_by_friction(ball, loss)
+        vx, vy = float(ball["vx"]), float(ball["vy"])
+        if vx * vx + vy * vy >= sleep_speed * sleep_speed:
+            ball["still_time"] = 0.0
+            continue
+        ball["still_time"] += duration
+        if ball["still_time"] >= state["sleep_time"]:
+            ball["asleep"] = 1
+            ball["vx"] = 0.0
+            ball["vy"] = 0.0
+            state["sleeping"] += 1

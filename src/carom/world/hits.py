@@ -1,0 +1,136 @@
+"""What happened in a step or a run: `Hits`, a structured array that also knows the objects that met."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.checks import Vector
+from carom.rows import Rows
+from carom.world.layout import BOUNCE, ENTER, EXIT, HIT
+
+if TYPE_CHECKING:
+    import pyarrow
+
+    from carom.shapes.ball import Ball
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+
+class HitKind(IntEnum):
+    """What a hit is: a pair that approached and bounced, or a ball that came into a sensor or left it."""
+
+    BOUNCE = BOUNCE
+    ENTER = ENTER
+    EXIT = EXIT
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """One impact, or one crossing of a sensor's edge (then all numbers but the time are 0).
+
+    Attributes:
+        time: The world's time in seconds; in discrete mode that of the end of the substep.
+        kind: What it was.
+        ball: The ball. Of two balls, the one that was added last.
+        shape: The shape or ball that it met.
+        point: Where, as (x, y).
+        normal: Unit vector from the shape to the ball.
+        setback: How far the ball was moved along the normal.
+        speed: Length of the velocity of the ball relative to the surface, before.
+        impulse: Momentum given to the ball along the normal.
+    """
+
+    time: float
+    kind: HitKind
+    ball: Ball
+    shape: Shape | Ball
+    point: Vector
+    normal: Vector
+    setback: float
+    speed: float
+    impulse: float
+
+
+class Hits(np.ndarray[Any, np.dtype[Any]]):
+    """Every hit of a step or a run, in order of time: a structured array whose items are `Hit` objects.
+
+    `hits["speed"]`, masks and slices work as with any structured array (the fields are those of `Hit`, with ids for
+    `ball` and `shape`); iterating and single indices give `Hit` objects.
+    """
+
+    _world: World | None
+    _gone: Rows | None
+
+    @classmethod
+    def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Hits:
+        """Hits of a world from rows of dtype `HIT`; `gone` holds the rows of balls that were removed meanwhile."""
+        hits = rows.view(cls)
+        hits._world = world
+        hits._gone = gone
+        return hits
+
+    def __array_finalize__(self, source: Any) -> None:
+        self._world = getattr(source, "_world", None)
+        self._gone = getattr(source, "_gone", None)
+
+    def __iter__(self) -> Iterator[Hit]:  # type: ignore[override]
+        for row in self.view(np.ndarray):
+            yield self._hit(row)
+
+    def __getitem__(self, key: Any) -> Any:
+        item = super().__getitem__(key)
+        if isinstance(item, np.void):
+            return self._hit(item)
+        return item if getattr(item, "dtype", None) == HIT else np.asarray(item)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} hits>"
+
+    __str__ = __repr__
+
+    def _hit(self, row: Any) -> Hit:
+        """The object for a row."""
+        if self._world is None:
+            raise LookupError("these hits have lost their world (they were pickled or copied); read them as arrays")
+        time, kind, ball, shape, point, normal, setback, speed, impulse = row.item()
+        ball_object: Any = self._world._object_of_hit(ball, self._gone)
+        return Hit(
+            time,
+            HitKind(kind),
+            ball_object,
+            self._world._object_of_hit(shape, self._gone),
+            (float(point[0]), float(point[1])),
+            (float(normal[0]), float(normal[1])),
+            setback,
+            speed,
+            impulse,
+        )
+
+    def table(self) -> pyarrow.Table:
+        """The hits as a pyarrow table: the fields by name, points and normals as `_x` and `_y` columns.
+
+        Raises:
+            ImportError: pyarrow is not installed; `pip install "carom[study]"` brings it.
+        """
+        try:
+            import pyarrow
+        except ImportError:
+            raise ImportError('a table of hits needs pyarrow: pip install "carom[study]"') from None
+        rows = self.view(np.ndarray)
+        columns: dict[str, Any] = {}
+        for name in HIT.names or ():
+            if rows[name].ndim == 2:
+                columns[f"{name}_x"] = np.ascontiguousarray(rows[name][:, 0])
+                columns[f"{name}_y"] = np.ascontiguousarray(rows[name][:, 1])
+            else:
+                columns[name] = np.ascontiguousarray(rows[name])
+        return pyarrow.table(columns)
+
+
+#: What a step without hits returns the rows of.
+NO_ROWS: Rows = np.zeros(0, HIT)

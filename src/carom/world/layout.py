@@ -1,0 +1,169 @@
+"""The dtypes of a world's tables besides its shapes and balls, and the numbers that kernels and `World` exchange."""
+
+from __future__ import annotations
+
+import numpy as np
+
+# What a hit is (`HitKind` names them for users).
+BOUNCE = 0
+ENTER = 1
+EXIT = 2
+
+# What a relation is: a state of a ball and another row that outlives a substep.
+PASSING = 0  # the ball passes a segment, arc or gate, whichever way it leaves
+INSIDE_SHAPE = 1  # the ball and a shape overlap, and one of them is a sensor
+INSIDE_BALL = 2  # the same for two balls
+
+# Broad phases.
+BRUTE = 0
+GRID = 1
+QUADTREE = 2
+
+# Why a step's kernel came back.
+DONE = 0
+NEEDS_ROOM = 1  # for hits or relations: `state["wanted_hits"]`, `state["wanted_relations"]`
+NEEDS_PAIRS = 2  # for pairs of balls, cells or members: `state["wanted_*"]`
+NOT_FINITE = 3  # the state is as it was before the step
+REFUSED = 4  # a radius or mass was made zero or negative through a view
+HAS_STRAYS = 5  # balls that left the bounds are to be removed; the step is complete
+
+# Where a step is; a kernel that ran out of room goes on from here.
+BEGIN = 0
+MOVE = 1
+SHAPES = 2
+FIND_PAIRS = 3
+PAIRS = 4
+FINISH = 5
+END = 6
+
+NO_CHILD = -1
+
+# What a ball that a response has moved is still to be tested against.
+SHAPES_DUE = 1
+PAIRS_DUE = 2
+
+#: Settings, time, counts, statistics and the place of a step that was interrupted: a table of two rows, the second of
+#: which is the copy that a step which fails is rolled back to.
+STATE = np.dtype(
+    [
+        # settings (2.1)
+        ("gravity_x", "f8"),
+        ("gravity_y", "f8"),
+        ("friction", "f8"),
+        ("sleep_speed", "f8"),
+        ("sleep_time", "f8"),
+        ("rest_speed", "f8"),  # below 0: twice the speed that gravity adds in a substep
+        ("max_speed", "f8"),  # below 0: none
+        ("left", "f8"),
+        ("bottom", "f8"),
+        ("right", "f8"),
+        ("top", "f8"),
+        ("max_impacts", "i8"),
+        ("substeps", "i8"),
+        ("iterations", "i8"),
+        ("levels", "i8"),
+        ("detection", "i8"),
+        ("broad_phase", "i8"),
+        ("total_restitution", "i8"),
+        ("bounded", "i8"),
+        ("remove_strays", "i8"),
+        # time
+        ("time", "f8"),
+        ("next_id", "i8"),
+        # statistics
+        ("box_tests", "i8"),
+        ("full_tests", "i8"),
+        ("collisions", "i8"),
+        ("strays", "i8"),
+        ("overlaps", "i8"),
+        ("sleeping", "i8"),
+        ("stalled", "i8"),
+        ("squeezed", "i8"),
+        ("slowed", "i8"),
+        # counts of rows in use
+        ("balls", "i8"),
+        ("shapes", "i8"),
+        ("fixed", "i8"),  # of the shapes in `order`, how many are static; the kinematic ones follow
+        ("hits", "i8"),
+        ("relations", "i8"),  # in use
+        ("relations_high", "i8"),  # rows of the pool ever used; those above are free
+        ("free_relation", "i4"),  # first of the released rows below `relations_high`, or NO_RELATION
+        ("wake", "i4"),  # something was changed from outside
+        ("index_stale", "i8"),  # the index of all shapes must be made anew
+        ("moving_stale", "i8"),  # that of the kinematic shapes must
+        ("reach", "f8"),  # the largest radius that the index is to serve
+        # the place of the step
+        ("dt", "f8"),
+        ("steps_left", "i8"),
+        ("stage", "i8"),
+        ("stage_entered", "i8"),  # whether what the stage does once is done
+        ("substep", "i8"),
+        ("iteration", "i8"),
+        ("cursor", "i8"),  # the ball or pair at which the stage goes on
+        ("pairs", "i8"),
+        ("found", "i8"),  # overlaps that this iteration has met
+        ("step_hits", "i8"),  # hits there were when the step began
+        ("new_strays", "i8"),
+        ("wanted_hits", "i8"),
+        ("wanted_relations", "i8"),
+        ("wanted_pairs", "i8"),
+        ("wanted_starts", "i8"),
+        ("wanted_cells", "i8"),
+        ("wanted_members", "i8"),
+    ]
+)
+
+HIT = np.dtype(
+    [
+        ("time", "f8"),
+        ("kind", "i8"),
+        ("ball", "i8"),
+        ("shape", "i8"),
+        ("point", "f8", (2,)),
+        ("normal", "f8", (2,)),
+        ("setback", "f8"),
+        ("speed", "f8"),
+        ("impulse", "f8"),
+    ]
+)
+
+RELATION = np.dtype([("kind", "i4"), ("ball", "i4"), ("other", "i4"), ("next", "i4")])
+
+#: Where the candidates for a place are found: a table of two rows, one for the static shapes, one for the kinematic.
+INDEX = np.dtype(
+    [
+        ("left", "f8"),
+        ("bottom", "f8"),
+        ("side", "f8"),  # of a grid's cell
+        ("reach", "f8"),  # the largest radius of a ball that it serves
+        ("longest", "i8"),  # members of the fullest cell
+        ("columns", "i8"),
+        ("lines", "i8"),
+        ("cells_begin", "i8"),
+        ("cells_end", "i8"),
+        ("members_begin", "i8"),
+        ("members_end", "i8"),
+    ]
+)
+
+#: A node of a quadtree (with its centre and the first of its four children) or a cell of a grid, and its members.
+CELL = np.dtype([("x", "f8"), ("y", "f8"), ("child", "i4"), ("begin", "i4"), ("end", "i4"), ("depth", "i4")])
+
+#: A ball as the grid sorts it by cell, so that neighbours in space are neighbours in memory.
+SLOT = np.dtype([("x", "f8"), ("y", "f8"), ("radius", "f8"), ("ball", "i4"), ("cell", "i4")])
+
+#: What a step changes in a ball, kept so that a step that fails leaves the state as it was.
+SAVED = np.dtype(
+    [
+        ("x", "f8"),
+        ("y", "f8"),
+        ("vx", "f8"),
+        ("vy", "f8"),
+        ("still_time", "f8"),
+        ("relation", "i4"),
+        ("asleep", "u1"),
+        ("stray", "u1"),
+        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE
+        ("spare", "u1"),
+    ]
+)

@@ -1,0 +1,286 @@
+"""What happens when a ball and a shape, or two balls, are found close together in the discrete mode (1.10 to 1.13)."""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+
+from carom.constants import END_DEPTH_DISCRETE
+from carom.geometry.arc import in_sector
+from carom.geometry.overlap import overlap_ball
+from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
+from carom.geometry.vector import dot, length, rotated
+from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
+from carom.shapes.contact import find_contact, gate_opens
+from carom.shapes.pose import surface_velocity
+from carom.world.layout import ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
+from carom.world.motion import wake
+from carom.world.recording import record_hit, write_hit
+from carom.world.relations import add_relation, find_relation
+
+BOTH_DUE = SHAPES_DUE | PAIRS_DUE
+
+
+def may_collide(first: Row, second: Row) -> bool:
+    """True if neither of two rows is switched off and each one's layer is in the other's mask."""
+    if first["can_collide"] == 0 or second["can_collide"] == 0:
+        return False
+    return bool(first["layer"] & second["collides_with"]) and bool(second["layer"] & first["collides_with"])
+
+
+def boxes_apart(ball: Row, shape: Row) -> bool:
+    """True if the boxes of a ball and a shape do not even touch."""
+    x = ball["x"]
+    y = ball["y"]
+    radius = ball["radius"]
+    return bool(
+        x + radius < shape["left"]
+        or x - radius > shape["right"]
+        or y + radius < shape["bottom"]
+        or y - radius > shape["top"]
+    )
+
+
+def in_reach(shape: Row, x: float, y: float) -> bool:
+    """True if (x, y) is in the slab of a segment or the sector of an arc."""
+    ax, ay = float(shape["ax"]), float(shape["ay"])
+    if shape["kind"] == ARC:
+        cx, cy = float(shape["cx"]), float(shape["cy"])
+        return in_sector(ax - cx, ay - cy, float(shape["bx"]) - cx, float(shape["by"]) - cy, x - cx, y - cy)
+    along = dot(x - ax, y - ay, float(shape["tx"]), float(shape["ty"]))
+    return 0.0 <= along <= float(shape["length"])
+
+
+def seen_from(shape: Row, x: float, y: float) -> tuple[float, float]:
+    """Where (x, y), a place before the substep, lies as seen from a shape that has moved since."""
+    if shape["motion"] != KINEMATIC:
+        return x, y
+    turn = float(shape["orientation"]) - float(shape["orientation_before"])
+    dx, dy = rotated(x - float(shape["pivot_before_x"]), y - float(shape["pivot_before_y"]), cos(turn), sin(turn))
+    return float(shape["pivot_x"]) + dx, float(shape["pivot_y"]) + dy
+
+
+def starts_passing(
+    shape: Row, ball: Row, setback: float, moved: bool, from_x: float, from_y: float, to_x: float, to_y: float
+) -> bool:
+    """True if a ball that overlaps a shape passes it from now on (1.12, 1.13).
+
+    `from` and `to` are the ball's place before and after its own move in this substep; `moved` is False in later
+    iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it.
+    """
+    kind = shape["kind"]
+    if kind == GATE:
+        if moved:
+            x, y = seen_from(shape, from_x, from_y)
+            return gate_opens(shape, x, y)
+        return gate_opens(shape, float(ball["x"]), float(ball["y"]))
+    if not moved or (kind != SEGMENT and kind != ARC) or setback <= END_DEPTH_DISCRETE * float(ball["radius"]):
+        return False
+    x, y = seen_from(shape, from_x, from_y)
+    return in_reach(shape, to_x, to_y) and not in_reach(shape, x, y)
+
+
+def meet_shape(
+    state: Row,
+    ball: Row,
+    ball_row: int,
+    shape: Row,
+    shape_row: int,
+    hits: Rows,
+    relations: Rows,
+    mark: Row,
+    time: float,
+    rest_speed: float,
+    moved: bool,
+    from_x: float,
+    from_y: float,
+    to_x: float,
+    to_y: float,
+) -> None:
+    """Test a ball against a shape whose box it meets, and respond at once. There must be room for a hit and a relation.
+
+    `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`.
+    """
+    state["full_tests"] += 1
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
+    contact = find_contact(shape, x, y, radius, float(ball["vx"]) - ux, float(ball["vy"]) - uy)
+    if contact is None:
+        return
+    px, py, nx, ny, setback = contact
+    if shape["sensor"] != 0 or ball["sensor"] != 0:
+        if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
+            add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
+            write_hit(state, hits, time, ENTER, int(ball["id"]), int(shape["id"]))
+        return
+    if find_relation(relations, ball, PASSING, shape_row):
+        return
+    if starts_passing(shape, ball, setback, moved, from_x, from_y, to_x, to_y):
+        add_relation(state, relations, ball, ball_row, PASSING, shape_row)
+        return
+    ball["x"] = x + setback * nx
+    ball["y"] = y + setback * ny
+    mark["touched"] = BOTH_DUE
+    state["found"] += 1
+    bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback)
+
+
+def bounce_off_shape(
+    state: Row,
+    ball: Row,
+    shape: Row,
+    hits: Rows,
+    time: float,
+    rest_speed: float,
+    px: float,
+    py: float,
+    nx: float,
+    ny: float,
+    setback: float,
+) -> None:
+    """Turn a ball's velocity at a static or kinematic shape, if it approaches (1.11), and record the hit."""
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    ux, uy = surface_velocity(shape, float(shape["spin"]), px, py)
+    wx, wy = vx - ux, vy - uy
+    s = dot(wx, wy, nx, ny)
+    if s >= 0.0:
+        return
+    g_n = dot(float(state["gravity_x"]), float(state["gravity_y"]), nx, ny)
+    approach = approach_at_contact(s, g_n, setback)
+    elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
+    kick = float(shape["kick"])
+    if elasticity < 1.0 and kick == 0.0 and -approach < rest_speed:
+        ball["vx"] = vx - s * nx
+        ball["vy"] = vy - s * ny
+        return
+    if state["total_restitution"] != 0:
+        new_x, new_y, gain = reflected_total(vx, vy, ux, uy, nx, ny, elasticity, approach, kick)
+    else:
+        new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, approach, kick)
+    ball["vx"] = new_x
+    ball["vy"] = new_y
+    limit_speed(state, ball)
+    wake(state, ball)
+    impulse = gain * float(ball["mass"])
+    record_hit(state, hits, time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
+
+
+def limit_speed(state: Row, ball: Row) -> None:
+    """Slow a ball that is faster than the world's `max_speed` to it, and count it."""
+    most = float(state["max_speed"])
+    if most < 0.0:
+        return
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    speed_squared = vx * vx + vy * vy
+    if speed_squared > most * most:
+        share = most / sqrt(speed_squared)
+        ball["vx"] = vx * share
+        ball["vy"] = vy * share
+        state["slowed"] += 1
+
+
+def meet_pair(
+    state: Row,
+    balls: Rows,
+    i: int,
+    j: int,
+    hits: Rows,
+    relations: Rows,
+    saved: Rows,
+    time: float,
+    rest_speed: float,
+) -> None:
+    """Test two balls whose boxes may overlap, and respond at once. There must be room for a hit and a relation."""
+    first, second = balls[i], balls[j]
+    reach = float(first["radius"]) + float(second["radius"])
+    dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
+    if dx > reach or -dx > reach or dy > reach or -dy > reach or not may_collide(first, second):
+        return
+    if first["asleep"] != 0 and second["asleep"] != 0:
+        return
+    state["full_tests"] += 1
+    # Most pairs whose boxes overlap do so at the corners alone; they are done here.
+    if dx * dx + dy * dy >= reach * reach:
+        return
+    wx = float(second["vx"]) - float(first["vx"])
+    wy = float(second["vy"]) - float(first["vy"])
+    contact = overlap_ball(
+        float(first["x"]),
+        float(first["y"]),
+        float(first["radius"]),
+        float(second["x"]),
+        float(second["y"]),
+        float(second["radius"]),
+        wx,
+        wy,
+    )
+    if contact is None:
+        return
+    if first["sensor"] != 0 or second["sensor"] != 0:
+        if not find_relation(relations, second, INSIDE_BALL, i):
+            add_relation(state, relations, second, j, INSIDE_BALL, i)
+            write_hit(state, hits, time, ENTER, int(second["id"]), int(first["id"]))
+        return
+    if dx == 0.0 and dy == 0.0:
+        state["overlaps"] += 1
+    px, py, nx, ny, setback = contact
+    push_apart(first, second, nx, ny, setback)
+    saved[i]["touched"] = BOTH_DUE
+    saved[j]["touched"] = BOTH_DUE
+    state["found"] += 1
+    bounce_pair(state, first, second, hits, time, rest_speed, px, py, nx, ny, setback)
+
+
+def push_apart(first: Row, second: Row, nx: float, ny: float, setback: float) -> None:
+    """Move two balls apart along the normal until they touch, in inverse proportion to their masses."""
+    x1, y1, x2, y2 = separated(
+        float(first["x"]),
+        float(first["y"]),
+        float(first["mass"]),
+        float(second["x"]),
+        float(second["y"]),
+        float(second["mass"]),
+        nx,
+        ny,
+        setback,
+    )
+    first["x"] = x1
+    first["y"] = y1
+    second["x"] = x2
+    second["y"] = y2
+
+
+def bounce_pair(
+    state: Row,
+    first: Row,
+    second: Row,
+    hits: Rows,
+    time: float,
+    rest_speed: float,
+    px: float,
+    py: float,
+    nx: float,
+    ny: float,
+    setback: float,
+) -> None:
+    """Exchange the normal speeds of two balls, if they approach (1.11), and record the hit."""
+    vx, vy = float(first["vx"]), float(first["vy"])
+    wx, wy = float(second["vx"]), float(second["vy"])
+    u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
+    if u2 - u1 >= 0.0:
+        return
+    first_mass, second_mass = float(first["mass"]), float(second["mass"])
+    elasticity = float(first["elasticity"]) * float(second["elasticity"])
+    resting = elasticity < 1.0 and u1 - u2 < rest_speed
+    new1, new2 = exchanged(u1, u2, first_mass, second_mass, 0.0 if resting else elasticity)
+    first["vx"] = vx + (new1 - u1) * nx
+    first["vy"] = vy + (new1 - u1) * ny
+    second["vx"] = wx + (new2 - u2) * nx
+    second["vy"] = wy + (new2 - u2) * ny
+    if resting:
+        return
+    limit_speed(state, first)
+    limit_speed(state, second)
+    wake(state, first)
+    wake(state, second)
+    impulse = second_mass * (new2 - u2)
+    record_hit(state, hits, time, second, first, px, py, nx, ny, setback, length(wx - vx, wy - vy), impulse)

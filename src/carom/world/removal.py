@@ -1,0 +1,82 @@
+"""Taking rows out of a world, and with them the relations of what they held."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.rows import NO_RELATION, Row, Rows
+from carom.shapes.ball import Ball
+from carom.shapes.shape import Shape
+from carom.world.layout import EXIT, INSIDE_BALL, PASSING
+from carom.world.recording import write_hit
+from carom.world.relations import add_relation
+from carom.world.tables import Room
+
+#: A relation outside of the pool: kind, row of the ball, row of the other.
+Relation = tuple[int, int, int]
+
+
+def relations_in_order(room: Room) -> list[Relation]:
+    """All relations, ball by ball, each ball's from the last added to the first."""
+    found: list[Relation] = []
+    if room.states[0]["relations"] > 0:
+        balls = room.balls.used
+        for i in np.flatnonzero(balls["relation"] != NO_RELATION):
+            place = int(balls[i]["relation"])
+            while place != NO_RELATION:
+                relation = room.relations[place]
+                found.append((int(relation["kind"]), int(i), int(relation["other"])))
+                place = int(relation["next"])
+    return found
+
+
+def set_relations(room: Room, relations: list[Relation]) -> None:
+    """Nothing; replaces all relations by these, which stand in the order of `relations_in_order`."""
+    state: Row = room.states[0]
+    state["relations"] = state["relations_high"] = 0
+    state["free_relation"] = NO_RELATION
+    room.balls.used["relation"] = NO_RELATION
+    room.extend_relations(len(relations))
+    for kind, ball, other in reversed(relations):
+        add_relation(state, room.relations, room.balls.rows[ball], ball, kind, other)
+
+
+def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
+    """Nothing; takes out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now."""
+    kept: list[Relation] = []
+    new_ball = np.cumsum(~balls) - 1
+    new_shape = np.cumsum(~shapes) - 1
+    for kind, ball, other in relations_in_order(room):
+        others, gone = (room.balls.used, balls) if kind == INSIDE_BALL else (room.shapes.used, shapes)
+        if balls[ball] or gone[other]:
+            if kind != PASSING:
+                _exit(room, room.balls.used[ball], others[other])
+        else:
+            moved = new_ball if kind == INSIDE_BALL else new_shape
+            kept.append((kind, int(new_ball[ball]), int(moved[other])))
+    asleep = int(np.count_nonzero(room.balls.used["asleep"][balls]))
+    room.states[0]["sleeping"] -= asleep
+    if len(room.saved) >= len(balls):
+        still = room.saved[: len(balls)][~balls]
+        room.saved[: len(still)] = still
+    room.balls.drop(balls)
+    room.shapes.drop(shapes)
+    set_relations(room, kept)
+
+
+def _exit(room: Room, ball: Row, other: Rows) -> None:
+    """Nothing; records that a ball left a sensor."""
+    state = room.states[0]
+    if state["hits"] >= len(room.hits):
+        state["wanted_hits"] = state["hits"] + 1
+        room.extend_hits()
+    write_hit(state, room.hits, float(state["time"]), EXIT, int(ball["id"]), int(other["id"]))
+
+
+def leave_world(member: Shape | Ball) -> None:
+    """Nothing; detaches a member from its world. It keeps its last values, and a part its compound."""
+    compound = member.compound if isinstance(member, Shape) else None
+    member._leave()
+    if isinstance(member, Shape):
+        member._compound = compound

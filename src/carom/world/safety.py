@@ -1,0 +1,138 @@
+"""The beginning and the end of a step: bad state is refused, and a step that fails leaves everything as it was."""
+
+from __future__ import annotations
+
+from carom.rows import Row, Rows
+from carom.world.layout import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, REFUSED
+from carom.world.motion import wake_all
+
+
+def is_finite(value: float) -> bool:
+    """True unless the value is infinite or NaN."""
+    return value - value == 0.0
+
+
+def is_sound(ball: Row) -> bool:
+    """True if a ball's place and velocity are finite."""
+    moving = is_finite(float(ball["x"])) and is_finite(float(ball["y"]))
+    return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
+
+
+def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> int:
+    """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
+    state = states[0]
+    largest = 0.0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        radius, mass = float(ball["radius"]), float(ball["mass"])
+        if not (is_sound(ball) and is_finite(radius) and is_finite(mass)):
+            return NOT_FINITE
+        if radius <= 0.0 or mass <= 0.0:
+            return REFUSED
+        largest = max(largest, radius)
+    if state["sleeping"] > 0 and state["wake"] == 0 and was_changed(state, balls, saved):
+        state["wake"] = 1
+    state["step_hits"] = state["hits"]
+    save(states, balls, shapes, order, saved, relations)
+    if state["wake"] != 0:
+        wake_all(state, balls)
+        state["wake"] = 0
+    if largest > state["reach"] or largest * 4.0 < state["reach"]:
+        state["reach"] = largest
+        state["index_stale"] = 1
+    state["substep"] = 0
+    state["new_strays"] = 0
+    state["stage_entered"] = 0
+    state["stage"] = MOVE
+    return DONE
+
+
+def was_changed(state: Row, balls: Rows, saved: Rows) -> bool:
+    """True if a ball is not as the last step left it: it was changed through a view."""
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        if ball["x"] != kept["x"] or ball["y"] != kept["y"] or ball["vx"] != kept["vx"] or ball["vy"] != kept["vy"]:
+            return True
+    return False
+
+
+def save_balls(state: Row, balls: Rows, saved: Rows) -> None:
+    """Keep what a step may change in the balls."""
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        kept["x"] = ball["x"]
+        kept["y"] = ball["y"]
+        kept["vx"] = ball["vx"]
+        kept["vy"] = ball["vy"]
+        kept["still_time"] = ball["still_time"]
+        kept["relation"] = ball["relation"]
+        kept["asleep"] = ball["asleep"]
+        kept["stray"] = ball["stray"]
+        kept["touched"] = 0
+
+
+def save(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> None:
+    """Keep all that a step may change: balls, state, kinematic shapes (behind the shapes), relations (upper half)."""
+    state = states[0]
+    save_balls(state, balls, saved)
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        shapes[count + k - fixed] = shapes[order[k]]
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[half + k] = relations[k]
+    states[1] = states[0]
+
+
+def roll_back(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> None:
+    """Put everything back to where it was when `save` was called."""
+    states[0] = states[1]
+    state = states[0]
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        ball["x"] = kept["x"]
+        ball["y"] = kept["y"]
+        ball["vx"] = kept["vx"]
+        ball["vy"] = kept["vy"]
+        ball["still_time"] = kept["still_time"]
+        ball["relation"] = kept["relation"]
+        ball["asleep"] = kept["asleep"]
+        ball["stray"] = kept["stray"]
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        shapes[order[k]] = shapes[count + k - fixed]
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[k] = relations[half + k]
+    state["index_stale"] = 1
+
+
+def end_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> int:
+    """DONE when the step is complete; HAS_STRAYS if balls are to be removed; NOT_FINITE if it was rolled back."""
+    state = states[0]
+    for i in range(state["balls"]):
+        if not is_sound(balls[i]):
+            roll_back(states, balls, shapes, order, saved, relations)
+            return NOT_FINITE
+    if state["bounded"] != 0:
+        find_strays(state, balls)
+    if state["sleeping"] > 0:
+        save_balls(state, balls, saved)
+    state["time"] += state["dt"]
+    state["steps_left"] -= 1
+    state["stage"] = BEGIN
+    return HAS_STRAYS if state["new_strays"] > 0 and state["remove_strays"] != 0 else DONE
+
+
+def find_strays(state: Row, balls: Rows) -> None:
+    """Mark the balls that lie wholly outside of the bounds, and count those that did not before."""
+    left, bottom = float(state["left"]), float(state["bottom"])
+    right, top = float(state["right"]), float(state["top"])
+    for i in range(state["balls"]):
+        ball = balls[i]
+        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+        outside = x + radius < left or x - radius > right or y + radius < bottom or y - radius > top
+        if outside and ball["stray"] == 0:
+            state["strays"] += 1
+            state["new_strays"] += 1
+        ball["stray"] = 1 if outside else 0

@@ -1,0 +1,185 @@
+"""The settings of a world: each is validated when set, and kept in the world's state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+
+from carom import checks
+from carom.checks import Vector
+from carom.errors import InvalidArgument
+from carom.rows import Row
+from carom.shapes.aabb import Aabb
+
+if TYPE_CHECKING:
+    from carom.world.world import World
+
+T = TypeVar("T")
+
+DETECTIONS = ("discrete",)
+BROAD_PHASES = ("brute", "grid", "quadtree")
+RESTITUTIONS = ("normal", "total")
+
+NONE = -1.0
+
+
+class Setting(Generic[T]):
+    """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there."""
+
+    def __init__(
+        self,
+        default: T,
+        check: Callable[[str, Any], T],
+        write: Callable[[Row, T], None],
+        read: Callable[[Row], T],
+        doc: str,
+    ) -> None:
+        self.default = default
+        self.check = check
+        self._write = write
+        self._read = read
+        self.__doc__ = doc
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    @overload
+    def __get__(self, world: None, owner: type) -> Setting[T]: ...
+    @overload
+    def __get__(self, world: World, owner: type) -> T: ...
+    def __get__(self, world: World | None, owner: type) -> Any:
+        if world is None:
+            return self
+        return self._read(world._states[0])
+
+    def __set__(self, world: World, value: Any) -> None:
+        checked = self.check(self.name, value)
+        self._write(world._states[0], checked)
+        world._changed_all()
+
+
+def scalar(default: float, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float]:
+    """A setting that is one number."""
+
+    def write(state: Row, value: float) -> None:
+        state[field] = value
+
+    return Setting(default, check, write, lambda state: float(state[field]), doc)
+
+
+def optional(default: float | None, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float | None]:
+    """A setting that is one number or None."""
+
+    def checked(name: str, value: Any) -> float | None:
+        return None if value is None else check(name, value)
+
+    def write(state: Row, value: float | None) -> None:
+        state[field] = NONE if value is None else value
+
+    def read(state: Row) -> float | None:
+        return None if state[field] < 0.0 else float(state[field])
+
+    return Setting(default, checked, write, read, doc)
+
+
+def count(default: int, most: int, field: str, doc: str) -> Setting[int]:
+    """A setting that is a whole number of at least 1."""
+
+    def check(name: str, value: Any) -> int:
+        return checks.whole(name, value, 1, most)
+
+    def write(state: Row, value: int) -> None:
+        state[field] = value
+
+    return Setting(default, check, write, lambda state: int(state[field]), doc)
+
+
+def choice(default: str, choices: tuple[str, ...], field: str, doc: str) -> Setting[str]:
+    """A setting that is one of several words."""
+
+    def check(name: str, value: Any) -> str:
+        return checks.one_of(name, value, choices)
+
+    def write(state: Row, value: str) -> None:
+        state[field] = choices.index(value)
+
+    return Setting(default, check, write, lambda state: choices[int(state[field])], doc)
+
+
+def switch(default: bool, field: str, doc: str) -> Setting[bool]:
+    """A setting that is on or off."""
+
+    def write(state: Row, value: bool) -> None:
+        state[field] = value
+
+    return Setting(default, checks.flag, write, lambda state: bool(state[field]), doc)
+
+
+def vector(default: Vector, x: str, y: str, doc: str) -> Setting[Vector]:
+    """A setting that is a pair of numbers."""
+
+    def write(state: Row, value: Vector) -> None:
+        state[x], state[y] = value
+
+    return Setting(default, checks.pair, write, lambda state: (float(state[x]), float(state[y])), doc)
+
+
+def box(doc: str) -> Setting[Aabb | None]:
+    """A setting that is a box or None."""
+
+    def check(name: str, value: Any) -> Aabb | None:
+        if value is None or isinstance(value, Aabb):
+            return value
+        try:
+            left, bottom, right, top = value
+        except (TypeError, ValueError):
+            raise checks.refuse(name, "must be an Aabb, four numbers or None", value) from None
+        try:
+            return Aabb(left, bottom, right, top)
+        except InvalidArgument as error:
+            raise InvalidArgument(f"{name}: {error}") from None
+
+    def write(state: Row, value: Aabb | None) -> None:
+        state["bounded"] = value is not None
+        if value is not None:
+            state["left"], state["bottom"], state["right"], state["top"] = (
+                value.left,
+                value.bottom,
+                value.right,
+                value.top,
+            )
+
+    def read(state: Row) -> Aabb | None:
+        if not state["bounded"]:
+            return None
+        return Aabb(float(state["left"]), float(state["bottom"]), float(state["right"]), float(state["top"]))
+
+    return Setting(None, check, write, read, doc)
+
+
+class Settings:
+    """The settings of a world (2.1), each an attribute that can be changed while the world runs."""
+
+    gravity = vector((0.0, 0.0), "gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
+    detection = choice("discrete", DETECTIONS, "detection", "How collisions are found: after moving (`discrete`).")
+    substeps = count(4, 1_000_000, "substeps", "Motion iterations per step.")
+    iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")
+    broad_phase = choice("grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs.")
+    levels = count(6, 16, "levels", "Levels of the quadtree, the root included.")
+    restitution = choice("normal", RESTITUTIONS, "total_restitution", "What elasticity scales: see 1.11.")
+    friction = scalar(0.0, checks.non_negative, "friction", "Deceleration of every ball, in length/s².")
+    sleep_speed = scalar(0.0, checks.non_negative, "sleep_speed", "Speed below which a ball may fall asleep.")
+    sleep_time = scalar(0.5, checks.non_negative, "sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")
+    rest_speed = optional(
+        None,
+        checks.non_negative,
+        "rest_speed",
+        "Speed of approach below which an inelastic contact comes to rest; None: twice what gravity adds in a substep.",
+    )
+    max_speed = optional(None, checks.positive, "max_speed", "A faster ball is slowed to this after a response.")
+    max_impacts = count(100_000, 2**31 - 1, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
+    bounds = box("A ball wholly outside of this box is a stray.")
+    remove_strays = switch(False, "remove_strays", "Whether strays are removed at the end of the step.")
+
+
+SETTINGS: tuple[str, ...] = tuple(name for name, value in vars(Settings).items() if isinstance(value, Setting))

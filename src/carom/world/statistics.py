@@ -1,0 +1,87 @@
+"""Counters of what a world has done."""
+
+from __future__ import annotations
+
+from carom.rows import Row
+
+COUNTERS = (
+    "box_tests",
+    "full_tests",
+    "collisions",
+    "strays",
+    "overlaps",
+    "sleeping",
+    "stalled",
+    "squeezed",
+    "slowed",
+)
+
+
+class Statistics:
+    """A live view of a world's counters; they count from the world's beginning or the last `reset`."""
+
+    __slots__ = ("_states",)
+
+    def __init__(self, states: Row) -> None:
+        self._states = states
+
+    def _count(self, name: str) -> int:
+        return int(self._states[0][name])
+
+    @property
+    def box_tests(self) -> int:
+        """Pairs whose boxes were compared."""
+        return self._count("box_tests")
+
+    @property
+    def full_tests(self) -> int:
+        """Pairs whose shapes were compared."""
+        return self._count("full_tests")
+
+    @property
+    def collisions(self) -> int:
+        """Bounces."""
+        return self._count("collisions")
+
+    @property
+    def strays(self) -> int:
+        """Balls that left the bounds."""
+        return self._count("strays")
+
+    @property
+    def overlaps(self) -> int:
+        """Times that two balls were found with their centres at the same place."""
+        return self._count("overlaps")
+
+    @property
+    def sleeping(self) -> int:
+        """Balls that sleep now."""
+        return self._count("sleeping")
+
+    @property
+    def stalled(self) -> int:
+        """Balls that reached `max_impacts` in a substep."""
+        return self._count("stalled")
+
+    @property
+    def squeezed(self) -> int:
+        """Balls that a moving shape went over because a static one held them."""
+        return self._count("squeezed")
+
+    @property
+    def slowed(self) -> int:
+        """Times that a ball was slowed to `max_speed`."""
+        return self._count("slowed")
+
+    def as_dict(self) -> dict[str, int]:
+        """All counters by name."""
+        return {name: self._count(name) for name in COUNTERS}
+
+    def reset(self) -> None:
+        """Set all counters but `sleeping` to 0."""
+        for name in COUNTERS:
+            if name != "sleeping":
+                self._states[0][name] = 0
+
+    def __repr__(self) -> str:
+        return "Statistics(" + ", ".join(f"{name}={count}" for name, count in self.as_dict().items()) + ")"

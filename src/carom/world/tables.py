@@ -1,0 +1,153 @@
+"""The rows of a world, in tables that grow, and the scratch room of its kernels."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from carom.errors import InvalidArgument
+from carom.rows import BALL, KINEMATIC, SHAPE, Row, Rows
+from carom.shapes.table import Owner, Table
+from carom.world.layout import CELL, HIT, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
+
+
+class WorldTable(Table):
+    """The rows of all balls or of all shapes of a world. Ids ascend, so a row is found by its id wherever it moved."""
+
+    __slots__ = ("count",)
+
+    def __init__(self, dtype: np.dtype[Any], capacity: int = 0) -> None:
+        super().__init__(np.zeros(capacity, dtype))
+        self.count = 0
+
+    @property
+    def used(self) -> Rows:
+        """The rows in use."""
+        return self.rows[: self.count]
+
+    def index(self, owner: Owner) -> int:
+        """The place of `owner`'s row; remembered, and looked up again where rows have moved."""
+        place = owner._index
+        if not (0 <= place < self.count and self.rows[place]["id"] == owner._id):
+            place = self.find(owner._id)
+            owner._index = place
+        return place
+
+    def find(self, member_id: int | None) -> int:
+        """The place of the row with an id; raises `InvalidArgument` where there is none."""
+        ids = self.used["id"]
+        place = int(np.searchsorted(ids, member_id or 0))
+        if place == self.count or ids[place] != member_id:
+            raise InvalidArgument(f"id must be that of a shape or ball in the world, not {member_id!r}")
+        return place
+
+    def reserve(self, capacity: int, doubling: bool = True) -> None:
+        """Make room for `capacity` rows in all, twice as many as there were unless `doubling` is False."""
+        if capacity > len(self.rows):
+            self.rows = grown(self.rows, max(capacity, 2 * self.count) if doubling else capacity, self.count)
+
+    def drop(self, gone: Rows) -> None:
+        """Take out the rows where the mask `gone` is True; the others move up and keep their order."""
+        kept = self.used[~gone]
+        self.rows[: len(kept)] = kept
+        self.count = len(kept)
+
+
+def grown(rows: Rows, capacity: int, keep: int) -> Rows:
+    """A table of `capacity` rows that begins with the first `keep` of `rows`."""
+    larger = np.zeros((capacity, *rows.shape[1:]), rows.dtype)
+    larger[:keep] = rows[:keep]
+    return larger
+
+
+class Room:
+    """All arrays that a step's kernel works on, in the order of its arguments."""
+
+    def __init__(self) -> None:
+        self.states = np.zeros(2, STATE)
+        self.balls = WorldTable(BALL)
+        self.shapes = WorldTable(SHAPE)
+        self.order = np.zeros(0, "i4")
+        self.index = np.zeros(2, INDEX)
+        self.cells = np.zeros(256, CELL)
+        self.members = np.zeros(256, "i4")
+        self.slots = np.zeros(0, SLOT)
+        self.starts = np.zeros(0, "i4")
+        self.pairs = np.zeros((16, 2), "i4")
+        self.saved = np.zeros(0, SAVED)
+        self.hits = np.zeros(64, HIT)
+        self.relations = np.zeros(32, RELATION)
+
+    def arguments(self) -> tuple[Rows, ...]:
+        """The arguments of a step's kernel."""
+        return (
+            self.states,
+            self.balls.rows,
+            self.shapes.rows,
+            self.order,
+            self.index,
+            self.cells,
+            self.members,
+            self.slots,
+            self.starts,
+            self.pairs,
+            self.saved,
+            self.hits,
+            self.relations,
+        )
+
+    def prepare(self) -> None:
+        """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
+        state = self.states[0]
+        state["balls"], state["shapes"] = self.balls.count, self.shapes.count
+        rows = self.shapes.used
+        self.order = np.lexsort((rows["kind"], rows["motion"])).astype("i4")
+        kinematic = int(np.count_nonzero(rows["motion"] == KINEMATIC))
+        state["fixed"] = self.shapes.count - kinematic
+        state["index_stale"] = 1
+        # Behind the shapes a step keeps a copy of the kinematic ones, to go back to if it fails.
+        self.shapes.reserve(self.shapes.count + kinematic)
+        if len(self.saved) < self.balls.count:
+            self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
+            self.slots = np.zeros(len(self.balls.rows), SLOT)
+
+    def extend(self, status: int) -> None:
+        """Make the room that a kernel asked for when it came back with `status`."""
+        state = self.states[0]
+        if status == NEEDS_ROOM:
+            self.extend_hits()
+            self.extend_relations(int(state["wanted_relations"]))
+        else:
+            self.pairs = self._at_least(self.pairs, state["wanted_pairs"])
+            self.starts = self._at_least(self.starts, state["wanted_starts"], slack=1.25)
+            # The index of the shapes, which need not be made again, stands at the beginning of both.
+            self.cells = self._at_least(self.cells, state["wanted_cells"], keep=len(self.cells))
+            self.members = self._at_least(self.members, state["wanted_members"], keep=len(self.members))
+
+    def extend_hits(self) -> None:
+        """Make room for `state["wanted_hits"]` hits."""
+        state = self.states[0]
+        self.hits = self._at_least(self.hits, state["wanted_hits"], keep=int(state["hits"]))
+
+    @staticmethod
+    def _at_least(rows: Rows, wanted: int, keep: int = 0, slack: float = 2.0) -> Rows:
+        """`rows`, or a longer copy if fewer than `wanted`."""
+        return rows if wanted <= len(rows) else grown(rows, int(slack * int(wanted)) + 16, keep)
+
+    def extend_relations(self, wanted: int) -> None:
+        """Make room for `wanted` relations and, in the upper half of the pool, for their copy."""
+        half = len(self.relations) // 2
+        if wanted <= half:
+            return
+        larger = np.zeros(4 * wanted, RELATION)
+        high = int(self.states[0]["relations_high"])
+        larger[:half] = self.relations[:half]
+        larger[2 * wanted : 2 * wanted + high] = self.relations[half : half + high]
+        self.relations = larger
+
+
+def clear_kernel_place(state: Row) -> None:
+    """Forget where an interrupted step was, so that the next one begins at its beginning."""
+    for field in ("stage", "stage_entered", "substep", "iteration", "cursor", "pairs", "found", "steps_left"):
+        state[field] = 0

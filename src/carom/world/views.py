@@ -1,0 +1,118 @@
+"""What `world.balls` and `world.shapes` are: sequences of objects, and the balls' columns as NumPy views."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.rows import BALL
+
+if TYPE_CHECKING:
+    from carom.shapes.ball import Ball
+    from carom.shapes.compound import Compound
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+
+class Balls(Sequence["Ball"]):
+    """The balls of a world in the order in which they were added.
+
+    Columns are views of the world's own rows, without a copy: writing to them acts at once (and is checked when the
+    next step begins). They are valid until balls are added or removed.
+    """
+
+    __slots__ = ("_world",)
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+
+    def __len__(self) -> int:
+        return self._world._room.balls.count
+
+    @overload
+    def __getitem__(self, index: int) -> Ball: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Ball]: ...
+    def __getitem__(self, index: int | slice) -> Ball | list[Ball]:
+        ids = self.id
+        if isinstance(index, slice):
+            return [self._world._ball_of(int(ball)) for ball in ids[index]]
+        return self._world._ball_of(int(ids[index]))
+
+    def __iter__(self) -> Iterator[Ball]:
+        for ball in self.id.copy():
+            yield self._world._ball_of(int(ball))
+
+    def __contains__(self, ball: object) -> bool:
+        return getattr(ball, "world", None) is self._world and getattr(ball, "kind", "") == "ball"
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} balls>"
+
+    def _pairs(self, field: str) -> NDArray[np.float64]:
+        """Two columns that stand side by side, as an (n, 2) view."""
+        rows = self._world._room.balls.used
+        columns: Any = BALL.fields
+        return np.ndarray((len(rows), 2), np.float64, rows, columns[field][1], (BALL.itemsize, 8))
+
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """Centres, a writable view of shape (n, 2)."""
+        return self._pairs("x")
+
+    @property
+    def velocity(self) -> NDArray[np.float64]:
+        """Velocities in length/s, a writable view of shape (n, 2)."""
+        return self._pairs("vx")
+
+    @property
+    def radius(self) -> NDArray[np.float64]:
+        """Radii, a writable view of shape (n,). Asking for it wakes all balls, as it may be written to."""
+        self._world._states[0]["wake"] = 1
+        column: NDArray[np.float64] = self._world._room.balls.used["radius"]
+        return column
+
+    @property
+    def mass(self) -> NDArray[np.float64]:
+        """Masses, a writable view of shape (n,). Asking for it wakes all balls, as it may be written to."""
+        self._world._states[0]["wake"] = 1
+        column: NDArray[np.float64] = self._world._room.balls.used["mass"]
+        return column
+
+    @property
+    def id(self) -> NDArray[np.int64]:
+        """Ids, a read-only view of shape (n,), ascending."""
+        column: NDArray[np.int64] = self._world._room.balls.used["id"]
+        column.flags.writeable = False
+        return column
+
+
+class Shapes(Sequence["Shape | Compound"]):
+    """The shapes of a world in the order in which they were added; a compound is one of them, its parts are not."""
+
+    __slots__ = ("_world",)
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+
+    def __len__(self) -> int:
+        return len(self._world._added)
+
+    @overload
+    def __getitem__(self, index: int) -> Shape | Compound: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Shape | Compound]: ...
+    def __getitem__(self, index: int | slice) -> Shape | Compound | list[Shape | Compound]:
+        return list(self._world._added.values())[index]
+
+    def __iter__(self) -> Iterator[Shape | Compound]:
+        return iter(list(self._world._added.values()))
+
+    def __contains__(self, shape: object) -> bool:
+        return getattr(shape, "world", None) is self._world and getattr(shape, "kind", "ball") != "ball"
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} shapes>"

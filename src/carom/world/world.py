@@ -1,0 +1,479 @@
+"""`World`: holds shapes and balls, steps them, and says what happened."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable
+from typing import Any, TypeVar
+from weakref import WeakValueDictionary
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom import checks
+from carom.checks import Vector
+from carom.errors import InvalidArgument, NonFiniteState
+from carom.rows import ALL_LAYERS, BALL, NO_RELATION, Motion, Rows
+from carom.shapes.aabb import Aabb
+from carom.shapes.ball import Ball
+from carom.shapes.compound import Compound
+from carom.shapes.shape import Shape
+from carom.world import compiled
+from carom.world.hits import NO_ROWS, Hits
+from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, NOT_FINITE, REFUSED
+from carom.world.removal import leave_world, remove_rows
+from carom.world.safety import is_sound, roll_back, was_changed
+from carom.world.settings import SETTINGS, Settings
+from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
+from carom.world.statistics import Statistics
+from carom.world.tables import Room, clear_kernel_place
+from carom.world.views import Balls, Shapes
+
+T = TypeVar("T", bound=Shape | Ball | Compound)
+
+NO_BALLS: Rows = np.zeros(0, BALL)
+
+#: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
+SLICE_SECONDS = 0.1
+
+
+class World(Settings):
+    """Shapes and balls that collide.
+
+    Every setting is a keyword argument and an attribute that can be changed while the world runs; `Settings` lists them
+    with their meanings. A mistake raises `InvalidArgument` (a `ValueError`) that names the setting and the value.
+
+    >>> import carom
+    >>> world = carom.World(gravity=(0, -10))
+    >>> floor = world.add(carom.Segment((-5, 0), (5, 0), elasticity=0.5))
+    >>> ball = world.add(carom.Ball((0, 1.5), radius=0.5))
+    >>> hits = world.run(0.5)
+    >>> hits[0].shape is floor, hits[0].ball is ball
+    (True, True)
+    """
+
+    def __init__(
+        self,
+        *,
+        gravity: Vector = (0.0, 0.0),
+        detection: str = "discrete",
+        substeps: int = 4,
+        iterations: int = 6,
+        broad_phase: str = "grid",
+        levels: int = 6,
+        restitution: str = "normal",
+        friction: float = 0.0,
+        sleep_speed: float = 0.0,
+        sleep_time: float = 0.5,
+        rest_speed: float | None = None,
+        max_speed: float | None = None,
+        max_impacts: int = 100_000,
+        bounds: Aabb | None = None,
+        remove_strays: bool = False,
+    ) -> None:
+        given = locals()
+        self._room = Room()
+        self._states = self._room.states
+        self._states[0]["free_relation"] = NO_RELATION
+        self._states[0]["next_id"] = 1
+        self._forget_objects()
+        for name in SETTINGS:
+            setattr(self, name, given[name])
+
+    def _forget_objects(self) -> None:
+        """Nothing; begins with no objects at all."""
+        self._objects: dict[int, Shape | Ball] = {}
+        self._added: dict[int, Shape | Compound] = {}
+        self._gone: WeakValueDictionary[int, Shape | Ball] = WeakValueDictionary()
+        self._removed: list[Rows] = []
+        self._left: Rows = NO_BALLS
+        self._arguments: tuple[Rows, ...] | None = None
+
+    # -- what is in it -----------------------------------------------------------------------------------------------
+
+    @property
+    def shapes(self) -> Shapes:
+        """The shapes in the order in which they were added."""
+        return Shapes(self)
+
+    @property
+    def balls(self) -> Balls:
+        """The balls in the order in which they were added, and their columns as NumPy views."""
+        return Balls(self)
+
+    @property
+    def strays(self) -> list[Ball]:
+        """The balls that lie wholly outside `bounds`; with `remove_strays`, those that the last step or run removed."""
+        if self.remove_strays:
+            found = [self._object_of_hit(int(ball), self._left) for ball in self._left["id"]]
+            return [ball for ball in found if isinstance(ball, Ball)]
+        rows = self._room.balls.used
+        return [self._ball_of(int(ball)) for ball in rows["id"][rows["stray"] != 0]]
+
+    def add(self, shape: T) -> T:
+        """`shape`, which is now in the world: a shape, a compound or a ball, live views of their rows here.
+
+        Raises:
+            InvalidArgument: It is no shape or ball, or is in a world already, or is part of a compound that is not.
+        """
+        if isinstance(shape, Ball):
+            members: list[Shape | Ball] = [shape]
+        elif isinstance(shape, Compound):
+            members = [shape.center_point, *shape.shapes]
+        elif isinstance(shape, Shape):
+            members = [shape]
+        else:
+            raise checks.refuse("shape", "must be a shape, a compound or a ball", shape)
+        for member in members:
+            if member.world is not None:
+                raise checks.refuse("shape", "must not be in a world already", shape)
+        compound = shape.compound if isinstance(shape, Shape) else None
+        if compound is not None and compound.world is not self:
+            raise checks.refuse("shape", "must not be part of a compound that is not in the world", shape)
+        for member in members:
+            self._enter(member)
+        if not isinstance(shape, Ball) and compound is None:
+            self._added[members[0].id or 0] = shape
+        self._rearrange()
+        return shape
+
+    def _enter(self, member: Shape | Ball) -> None:
+        """Nothing; gives a member a row at the end of its table."""
+        table = self._room.balls if isinstance(member, Ball) else self._room.shapes
+        table.reserve(table.count + 1)
+        place = table.count
+        table.rows[place]["id"] = self._next_ids(1)[0]
+        table.count += 1
+        member._enter(self, table, place)
+        self._objects[int(table.rows[place]["id"])] = member
+
+    def _next_ids(self, count: int) -> NDArray[np.int64]:
+        """Ids that were never used."""
+        first = int(self._states[0]["next_id"])
+        self._states[0]["next_id"] = first + count
+        return np.arange(first, first + count, dtype=np.int64)
+
+    def add_balls(
+        self,
+        position: ArrayLike,
+        velocity: ArrayLike = (0.0, 0.0),
+        radius: ArrayLike | None = None,
+        mass: ArrayLike = 1.0,
+        elasticity: ArrayLike = 1.0,
+    ) -> NDArray[np.int64]:
+        """The ids of balls added all at once.
+
+        Args:
+            position: Centres, of shape (n, 2).
+            velocity: Of shape (n, 2), or one pair for all.
+            radius: Of shape (n,), or one number for all; positive. Must be given.
+            mass: Likewise.
+            elasticity: Likewise, 0 or more.
+
+        Raises:
+            InvalidArgument: Something has another shape, is not finite, or not positive where it must be.
+        """
+        places = checks.array("position", position, (-1, 2))
+        count = len(places)
+        rows = np.zeros(count, BALL)
+        rows["x"], rows["y"] = places.T
+        rows["vx"], rows["vy"] = checks.array("velocity", velocity, (count, 2)).T
+        rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
+        rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
+        rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
+        rows["layer"] = 1
+        rows["collides_with"] = ALL_LAYERS
+        rows["can_collide"] = 1
+        rows["relation"] = NO_RELATION
+        table = self._room.balls
+        table.reserve(table.count + count, doubling=False)
+        rows["id"] = self._next_ids(count)
+        table.rows[table.count : table.count + count] = rows
+        table.count += count
+        self._rearrange()
+        return rows["id"].copy()
+
+    def remove(self, shape: Shape | Compound | Ball) -> None:
+        """Nothing; takes a shape, compound or ball out of the world. The object keeps its last values.
+
+        A sensor that it was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next step.
+
+        Raises:
+            InvalidArgument: It is not in this world, or is part of a compound.
+        """
+        if getattr(shape, "world", None) is not self:
+            raise checks.refuse("shape", "must be in this world", shape)
+        if isinstance(shape, Shape) and shape.compound is not None:
+            raise checks.refuse("shape", "must not be part of a compound: remove the compound", shape)
+        members = [shape.center_point, *shape.shapes] if isinstance(shape, Compound) else [shape]
+        self._added.pop(members[0].id or 0, None)
+        ids = [member.id or 0 for member in members]
+        if isinstance(shape, Ball):
+            self._remove(np.isin(self._room.balls.used["id"], ids), self._none_of(self._room.shapes.count))
+        else:
+            self._remove(self._none_of(self._room.balls.count), np.isin(self._room.shapes.used["id"], ids))
+
+    @staticmethod
+    def _none_of(count: int) -> NDArray[np.bool_]:
+        """A mask that takes nothing."""
+        return np.zeros(count, np.bool_)
+
+    def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
+        """Nothing; detaches the objects of rows and takes the rows out."""
+        for table, gone in ((self._room.balls, balls), (self._room.shapes, shapes)):
+            for member_id in table.used["id"][gone]:
+                member = self._objects.pop(int(member_id), None)
+                if member is not None:
+                    leave_world(member)
+                    self._gone[int(member_id)] = member
+        remove_rows(self._room, balls, shapes)
+        self._rearrange()
+
+    def object(self, member_id: int) -> Shape | Ball:
+        """The shape or ball with an id: the object that was added, or always the same one for a row of `add_balls`.
+
+        Raises:
+            InvalidArgument: There is none in the world.
+        """
+        checks.whole("member_id", member_id, 0, 2**63 - 1)
+        found = self._objects.get(member_id)
+        return found if found is not None else self._ball_of(member_id)
+
+    def _ball_of(self, ball_id: int) -> Ball:
+        """The object of a ball's row, made now if it was not asked for before."""
+        ball = self._objects.get(ball_id)
+        if ball is None:
+            place = self._room.balls.find(ball_id)
+            ball = Ball._of_row(self, self._room.balls, ball_id, place)
+            self._objects[ball_id] = ball
+        assert isinstance(ball, Ball)
+        return ball
+
+    def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball:
+        """The object that a hit names, which may have left the world since; `gone` are rows that left in that run."""
+        found = self._objects.get(member_id) or self._gone.get(member_id)
+        if found is None and gone is not None and member_id in gone["id"]:
+            found = Ball.__new__(Ball)
+            found.__setstate__((gone[gone["id"] == member_id], None, None))
+            found._row["id"] = 0
+            self._gone[member_id] = found
+        return found if found is not None else self.object(member_id)
+
+    # -- changes -----------------------------------------------------------------------------------------------------
+
+    def _changed(self, member: Any) -> None:
+        """Nothing; takes note that a member was changed from outside."""
+        state = self._states[0]
+        state["wake"] = 1
+        if isinstance(member, Ball):
+            return
+        moving = self._room.order[int(state["fixed"]) :]
+        if self._arguments is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
+            state["moving_stale"] = 1
+        else:
+            self._rearrange()
+
+    def _changed_all(self) -> None:
+        """Nothing; takes note that a setting was changed, or that balls may have been."""
+        self._states[0]["wake"] = 1
+        self._rearrange()
+
+    def _rearrange(self) -> None:
+        """Nothing; has the next step look at its tables anew."""
+        self._states[0]["wake"] = 1
+        self._arguments = None
+
+    def _will_wake(self) -> bool:
+        """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
+        state = self._states[0]
+        if state["wake"] or not state["sleeping"]:
+            return bool(state["wake"])
+        state["balls"] = self._room.balls.count
+        return was_changed(state, self._room.balls.rows, self._room.saved)
+
+    # -- time --------------------------------------------------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        """Seconds since the world was made."""
+        return float(self._states[0]["time"])
+
+    @property
+    def statistics(self) -> Statistics:
+        """Counters of what the world has done."""
+        return Statistics(self._states)
+
+    def step(self, dt: float) -> Hits:
+        """Every hit of one step of `dt` seconds (not negative), in order of time.
+
+        Raises:
+            InvalidArgument: `dt` is negative or not finite, or a radius or mass was made so through a view.
+            NonFiniteState: The state holds NaN or infinity; it is as it was before the step.
+        """
+        return self._advance(1, checks.non_negative("dt", dt))
+
+    def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:
+        """Every hit of `round(seconds / dt)` steps.
+
+        Args:
+            seconds: How long, in seconds of the world's time; not negative.
+            dt: The length of a step; positive.
+            progress: Called with the seconds done and the seconds in all, a few times a second.
+
+        Raises:
+            As `step`; the steps before the one that failed have been made, their hits are in the exception's `hits`.
+        """
+        total = checks.non_negative("seconds", seconds)
+        length = checks.positive("dt", dt)
+        steps = round(total / length)
+        done = 0
+        slice_steps = 1
+        parts: list[Rows] = []
+        gone: list[Rows] = []
+        while done < steps:
+            count = min(slice_steps, steps - done)
+            began = clock.perf_counter()
+            try:
+                hits = self._advance(count, length)
+            except (InvalidArgument, NonFiniteState) as error:
+                error.hits = Hits.of(self, _joined([*parts, error.hits]), _joined(gone) if gone else None)
+                raise
+            took = clock.perf_counter() - began
+            done += count
+            if len(hits):
+                parts.append(hits.view(np.ndarray))
+            if hits._gone is not None:
+                gone.append(hits._gone)
+            if progress is not None:
+                progress(done * length, steps * length)
+            if took < SLICE_SECONDS:
+                slice_steps = 2 * slice_steps
+            elif took > 2.0 * SLICE_SECONDS:
+                slice_steps = max(slice_steps // 2, 1)
+        if gone:
+            self._left = _joined(gone)
+        return Hits.of(self, _joined(parts), _joined(gone) if gone else None)
+
+    def _advance(self, steps: int, dt: float) -> Hits:
+        """The hits of a number of steps, made without coming back to Python but for more room and for strays."""
+        state = self._states[0]
+        if self._arguments is None:
+            self._room.prepare()
+            self._arguments = self._room.arguments()
+        kernel = compiled.load("discrete.step_discrete")
+        state["dt"] = dt
+        state["steps_left"] = steps
+        self._removed = []
+        self._left = NO_BALLS
+        try:
+            status = kernel(*self._arguments)
+            while status != DONE:
+                self._serve(status)
+                status = kernel(*self._arguments)
+        except BaseException as error:
+            if not isinstance(error, (NonFiniteState, InvalidArgument)) and state["stage"] != 0:
+                self._roll_back()
+            clear_kernel_place(state)
+            raise
+        rows = self._take_hits()
+        if not self._removed:
+            return Hits.of(self, rows)
+        gone = np.concatenate(self._removed)
+        self._left = gone
+        return Hits.of(self, rows, gone)
+
+    def _take_hits(self) -> Rows:
+        """A copy of the hits recorded so far, which are then forgotten."""
+        state = self._states[0]
+        count = int(state["hits"])
+        if count == 0:
+            return NO_ROWS
+        state["hits"] = 0
+        return self._room.hits[:count].copy()
+
+    def _serve(self, status: int) -> None:
+        """Nothing; does what a kernel that came back needs before it can go on, or raises."""
+        if status in (NEEDS_ROOM, NEEDS_PAIRS):
+            self._room.extend(status)
+        elif status == HAS_STRAYS:
+            rows = self._room.balls.used
+            strays = rows["stray"] != 0
+            self._removed.append(rows[strays].copy())
+            self._remove(strays, self._none_of(self._room.shapes.count))
+            self._room.prepare()
+        else:
+            raise self._failure(status)
+        self._arguments = self._room.arguments()
+
+    def _failure(self, status: int) -> InvalidArgument | NonFiniteState:
+        """The exception for a step that was refused, with the hits of the steps before it."""
+        rows = self._room.balls.used
+        if status == REFUSED:
+            bad = rows[(rows["radius"] <= 0.0) | (rows["mass"] <= 0.0)]
+            error: InvalidArgument | NonFiniteState = InvalidArgument(
+                f"radius and mass must be positive, not those of balls {_ids(bad)}"
+            )
+        else:
+            assert status == NOT_FINITE
+            bad = rows[[not (is_sound(row) and np.isfinite(row["radius"] + row["mass"])) for row in rows]]
+            which = f"balls {_ids(bad)} are not finite" if len(bad) else "balls became infinite in the step"
+            error = NonFiniteState(f"{which}; the world is as it was before the step")
+        error.hits = self._take_hits()
+        return error
+
+    def _roll_back(self) -> None:
+        """Nothing; undoes the part of a step that was interrupted in the interpreter."""
+        room = self._room
+        roll_back(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
+
+    # -- state -------------------------------------------------------------------------------------------------------
+
+    def snapshot(self) -> bytes:
+        """The whole state as bytes; `restore` makes the very same world of them. Holds names, but not `user`."""
+        return write_snapshot(self)
+
+    def restore(self, snapshot: bytes) -> None:
+        """Nothing; makes this world what it was when the snapshot was taken, to the bit.
+
+        Objects whose ids are in it stay, those that are missing are made, the others are detached.
+
+        Raises:
+            SnapshotError: The bytes are no snapshot, or damaged; the world is as it was.
+        """
+        read_snapshot(self, snapshot)
+
+    def digest(self) -> str:
+        """A hash of the whole state, as 32 hexadecimal digits: equal where the snapshots are."""
+        return digest_of(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        users = {key: member.user for key, member in self._objects.items() if member.user is not None}
+        compounds = {key: shape.user for key, shape in self._added.items() if shape.user is not None}
+        return _restored, (self.snapshot(), users, compounds)
+
+    def __repr__(self) -> str:
+        return f"<World at {self.time:g} s: {len(self.shapes)} shapes, {len(self.balls)} balls>"
+
+
+def _restored(snapshot: bytes, users: dict[int, Any], compounds: dict[int, Any]) -> World:
+    """The world that was pickled or copied."""
+    world = World()
+    world.restore(snapshot)
+    for key, user in users.items():
+        world.object(key).user = user
+    for key, user in compounds.items():
+        world._added[key].user = user
+    return world
+
+
+def _joined(parts: list[Rows]) -> Rows:
+    """Tables of hits or of balls as one."""
+    if not parts:
+        return NO_ROWS
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+def _ids(rows: Rows) -> str:
+    """The first few ids of rows, for a message."""
+    ids = [str(int(ball)) for ball in rows["id"][:10]]
+    return ", ".join(ids) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")
