@@ -100,13 +100,13 @@ class Arc(RoundShape):
     def t0(self) -> Vector:
         """The unit tangent at `p0`, clockwise: it points out of the arc."""
         x, y, _, _ = arc_tangents(self.start_angle, self.end_angle)
-        return x + 0.0, y + 0.0  # -0 + 0 is 0
+        return x, y
 
     @property
     def t1(self) -> Vector:
         """The unit tangent at `p1`, counterclockwise: it points out of the arc."""
         _, _, x, y = arc_tangents(self.start_angle, self.end_angle)
-        return x + 0.0, y + 0.0
+        return x, y
 
     @property
     def length(self) -> float:

@@ -150,6 +150,11 @@ class Ball(Round):
         return Motion.DYNAMIC
 
     @property
+    def orientation(self) -> float:
+        """Always 0: a ball does not turn."""
+        return 0.0
+
+    @property
     def aabb(self) -> Aabb:
         """The smallest box around it."""
         return Aabb(*circle_box(*self.position, self.radius))

@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterable
 from copy import copy
 from typing import Any
 
-from carom.checks import Vector, flag, layers, non_negative, number, pair, refuse, text_or_none
+from carom.checks import Vector, flag, layers, non_negative, pair, refuse, text_or_none
 from carom.geometry.vector import length
 from carom.rows import KINEMATIC, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.shapes.detection import Contact
+from carom.shapes.group import Group
 from carom.shapes.point import Point
 from carom.shapes.pose import set_initial
-from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.shape import Shape
 
 #: What a compound may say for all parts about their surface.
@@ -38,7 +38,7 @@ def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
     return property(read, write, doc=f"The {name} that was set for all parts, those added later too; None if none was.")
 
 
-class Compound:
+class Compound(Group):
     """A list of shapes that turn and travel as one about a pivot.
 
     Its parts become kinematic, and move as the compound says: `pivot`, `orientation`, `angular_velocity` (rad/s),
@@ -58,7 +58,7 @@ class Compound:
     [0.0, 3.0]
     """
 
-    __slots__ = ("__weakref__", "_name", "_parts", "_surface", "user")
+    __slots__ = ("__weakref__", "_name", "_surface", "user")
 
     elasticity = _surface("elasticity", non_negative)
     kick = _surface("kick", non_negative)
@@ -94,7 +94,7 @@ class Compound:
             turn_limits=turn_limits,
             velocity=velocity,
         )
-        self._parts: list[Shape] = [center_point]
+        self._parts = [center_point]
         self._surface: dict[str, Any] = {}
         given = (elasticity, kick, sensor, can_collide, layer, collides_with)
         for field, value in zip(_SURFACE, given, strict=True):
@@ -119,11 +119,6 @@ class Compound:
     def shapes(self) -> tuple[Shape, ...]:
         """The parts in the order in which they were added, without the `center_point`."""
         return tuple(self._parts[1:])
-
-    @property
-    def center_point(self) -> Shape:
-        """The point that starts at the pivot, moves with the compound and collides with nothing."""
-        return self._parts[0]
 
     def __contains__(self, shape: object) -> bool:
         return isinstance(shape, Shape) and shape.compound is self
@@ -188,115 +183,6 @@ class Compound:
     def world(self) -> Any:
         """The `World` that it is in, or None."""
         return self.center_point.world
-
-    # -- where it is and how it moves --------------------------------------------------------------------------------
-
-    @property
-    def motion(self) -> Motion:
-        """Always KINEMATIC."""
-        return Motion.KINEMATIC
-
-    @property
-    def position(self) -> Vector:
-        """Where its `center_point` is. Setting it moves all parts and the pivot, and makes that their initial place."""
-        return self.center_point.position
-
-    @position.setter
-    def position(self, value: Vector) -> None:
-        x, y = pair("position", value)
-        from_x, from_y = self.position
-        pivot_x, pivot_y = self.pivot
-        pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
-        places = [(x + (part.position[0] - from_x), y + (part.position[1] - from_y)) for part in self._parts]
-        self._write([part._moved("position", value, p, pivot) for part, p in zip(self._parts, places, strict=True)])
-
-    @property
-    def pivot(self) -> Vector:
-        """The place about which it turns. Setting it makes the compound as it stands the initial one."""
-        return self.center_point.pivot
-
-    @pivot.setter
-    def pivot(self, value: Vector) -> None:
-        x, y = pair("pivot", value)
-        rows = [part._hung("pivot", value, x, y) for part in self._parts]
-        rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
-        self._write(rows)
-
-    @property
-    def orientation(self) -> float:
-        """How far it has turned since its initial pose, in radians. Setting it turns it about its pivot."""
-        return self.center_point.orientation
-
-    @orientation.setter
-    def orientation(self, value: float) -> None:
-        self._turn("orientation", value, *self.pivot)
-
-    def rotate(self, pivot: Vector, angle: float) -> None:
-        """Nothing; turns all parts from their initial geometry by `angle` radians about `pivot`, the new pivot.
-
-        Raises `InvalidArgument` for an angle beyond the turn limits.
-        """
-        self._turn("angle", angle, *pair("pivot", pivot))
-
-    def _turn(self, name: str, value: float, x: float, y: float) -> None:
-        """Nothing; turns all parts by the angle `value` about (x, y)."""
-        angle = number(name, value)
-        self._write([part._turned(name, value, x, y, angle) for part in self._parts])
-
-    def reset(self) -> None:
-        """Nothing; restores the initial geometry of all parts, and the initial pivot, bit for bit."""
-        self._write([part._restored() for part in self._parts])
-
-    def _write(self, rows: list[Row]) -> None:
-        """Nothing; writes the checked rows of all parts."""
-        for part, row in zip(self._parts, rows, strict=True):
-            part._write(row)
-
-    def _forward(self, write: Callable[[Row, Any], None], value: Any) -> None:
-        """Nothing; has `write` set `value` on all parts; the first one refuses before anything has changed."""
-        for part in self._parts:
-            write(part._row, value)
-            part._change()
-
-    @property
-    def angular_velocity(self) -> float:
-        """How fast it turns about its pivot, in rad/s; becomes 0 at a stop."""
-        return self.center_point.angular_velocity
-
-    @angular_velocity.setter
-    def angular_velocity(self, value: float) -> None:
-        self._forward(write_angular_velocity, value)
-
-    @property
-    def rotating(self) -> bool:
-        """Whether the angular velocity acts."""
-        return self.center_point.rotating
-
-    @rotating.setter
-    def rotating(self, value: bool) -> None:
-        self._forward(write_rotating, value)
-
-    @property
-    def turn_limits(self) -> tuple[float, float] | None:
-        """The stops `(low, high)` of its orientation, in radians, or None."""
-        return self.center_point.turn_limits
-
-    @turn_limits.setter
-    def turn_limits(self, value: tuple[float, float] | None) -> None:
-        self._forward(write_turn_limits, value)
-
-    @property
-    def velocity(self) -> Vector:
-        """How fast its pivot, and it with that, travels, in length/s."""
-        return self.center_point.velocity
-
-    @velocity.setter
-    def velocity(self, value: Vector) -> None:
-        self._forward(write_velocity, value)
-
-    def surface_velocity(self, p: Vector) -> Vector:
-        """The velocity of the compound's matter at `p`, in length/s."""
-        return self.center_point.surface_velocity(p)
 
     # -- what it meets -----------------------------------------------------------------------------------------------
 

@@ -68,7 +68,7 @@ def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
     px, py, nx, ny, setback = found
     surface_x, surface_y = surface_velocity(row, spin, px, py)
     speed = length(float(body["vx"]) - surface_x, float(body["vy"]) - surface_y)
-    return Contact(shape, ball, (px, py), (nx + 0.0, ny + 0.0), setback, speed)  # -0 + 0 is 0
+    return Contact(shape, ball, (px, py), (nx, ny), setback, speed)
 
 
 def _gate_contact(
@@ -92,4 +92,4 @@ def detect_pair(first: Ball, second: Ball) -> Contact | None:
     if found is None:
         return None
     px, py, nx, ny, setback = found
-    return Contact(first, second, (px, py), (nx + 0.0, ny + 0.0), setback, length(wx, wy))
+    return Contact(first, second, (px, py), (nx, ny), setback, length(wx, wy))

@@ -34,7 +34,7 @@ class Gate(Segment):
         (ax, ay), (bx, by) = sorted((pair("start", start), pair("end", end)))
         if direction is None:
             tx, ty = unit(bx - ax, by - ay) or (0.0, 0.0)  # equal ends are refused below
-            dx, dy = -ty, tx
+            dx, dy = 0.0 - ty, tx
         else:
             dx, dy = _unit_direction(direction)
         blame, value = ("end", end) if direction is None else ("direction", direction)

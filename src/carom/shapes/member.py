@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from carom.checks import Vector, flag, layers, non_negative, text_or_none
+from carom.checks import Vector, flag, layers, non_negative, pair, text_or_none
+from carom.geometry.vector import length
 from carom.rows import KIND_NAMES, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.table import Home, Table
@@ -110,13 +111,15 @@ class Member(ABC):
     # -- copies: always lone, whatever the original is in ------------------------------------------------------------
 
     def __getstate__(self) -> Any:
-        """The row (array of shape (1,)), the name and the user's own data."""
-        return np.array([self._lone_row()], self._DTYPE), self._name, self.user
+        """The row (an array of shape (1,)), the name, the user's own data, and what a subclass of the user's adds."""
+        return np.array([self._lone_row()], self._DTYPE), self._name, self.user, getattr(self, "__dict__", {})
 
     def __setstate__(self, state: Any) -> None:
         """Nothing; a lone member with the state that `__getstate__` gave."""
-        rows, name, user = state
+        rows, name, user, *added = state
         self._begin(rows[0], name, user)
+        for attributes in filter(None, added):
+            self.__dict__.update(attributes)
 
     # -- what every shape and ball has -------------------------------------------------------------------------------
 
@@ -207,6 +210,12 @@ class Member(ABC):
     @abstractmethod
     def closest_point(self, p: Vector) -> Vector:
         """The point of it that is nearest to `p`; of its perimeter, where it is round."""
+
+    def distance(self, p: Vector) -> float:
+        """How far `p` is from its `closest_point`; never negative."""
+        x, y = pair("p", p)
+        near_x, near_y = self.closest_point((x, y))
+        return length(x - near_x, y - near_y)
 
     @abstractmethod
     def detect(self, ball: Ball) -> Contact | None:

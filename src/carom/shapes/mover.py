@@ -53,7 +53,7 @@ class Mover(Member):
     def _refuse_part(self, name: str, value: object) -> None:
         """Nothing; raises where the shape is part of a compound, which alone says where its parts are."""
         if self._compound is not None:
-            raise refuse(name, "must be set on the compound that the shape is part of", value)
+            raise refuse(name, "must be left to the compound that the shape is part of", value)
 
     def _set_geometry(self, name: str, value: object, **fields: float) -> None:
         """Nothing; writes fields of the current geometry, which becomes the initial one, or raises.
@@ -171,7 +171,7 @@ class Mover(Member):
 
     def reset(self) -> None:
         """Nothing; restores the initial geometry and pivot, bit for bit. What moves the shape stays set."""
-        self._refuse_part("reset", "a call on one of its parts")
+        self._refuse_part("reset", self)
         self._write(self._restored())
 
     def _restored(self) -> Row:

@@ -92,7 +92,7 @@ class Segment(Shape):
     def t1(self) -> Vector:
         """The unit tangent at `p1`, which points into the segment: the opposite of `t0`."""
         x, y = self.t0
-        return 0.0 - x, 0.0 - y  # not -x, which would make -0 of 0
+        return 0.0 - x, 0.0 - y
 
     @property
     def normal(self) -> Vector:

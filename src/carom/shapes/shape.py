@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
 import numpy as np
 
 from carom.checks import Vector, flag, layers, non_negative, pair, text_or_none
-from carom.geometry.vector import length
 from carom.rows import ALL_LAYERS, SHAPE, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_shape
@@ -137,12 +136,6 @@ class Shape(Mover):
         """The smallest box around it."""
         row = self._row
         return Aabb(float(row["left"]), float(row["bottom"]), float(row["right"]), float(row["top"]))
-
-    def distance(self, p: Vector) -> float:
-        """How far `p` is from the shape's `closest_point`; never negative."""
-        x, y = pair("p", p)
-        near_x, near_y = self.closest_point(p)
-        return length(x - near_x, y - near_y)
 
     def detect(self, ball: Ball) -> Contact | None:
         """The contact with `ball` where they overlap, or None; see `Contact`.
