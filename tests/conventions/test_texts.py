@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+import carom
 from tests.conventions.source_trees import ROOT, named
 
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -65,3 +66,11 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_links_lead_somewhere(page: Path) -> None:
     assert broken_links(page) == []
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "toml")], ids=named)
+def test_the_scenes_of_a_page_can_be_built(page: Path, tmp_path: Path) -> None:
+    for place, (_, text) in enumerate(blocks(page, "toml")):
+        path = tmp_path / f"{place}.toml"
+        path.write_text(text, encoding="utf-8")
+        assert len(carom.Scene.load(path).build().shapes) > 0
