@@ -24,10 +24,8 @@ def in_sector(ax: float, ay: float, bx: float, by: float, x: float, y: float) ->
     after_start = cross(ax, ay, x, y) >= -size * (fabs(ax) + fabs(ay))
     before_end = cross(x, y, bx, by) >= -size * (fabs(bx) + fabs(by))
     turn = cross(ax, ay, bx, by)
-    if turn < 0.0:  # more than half a turn: outside is what lies strictly between the end and the start
+    if turn <= 0.0:  # half a turn or more: outside is what lies strictly between the end and the start
         return after_start or before_end
-    if turn == 0.0:  # half a turn, or a full one
-        return after_start or before_end or dot(ax, ay, bx, by) > 0.0
     if not (after_start and before_end):
         return False
     # Opposite to a very narrow sector both tests may hold by rounding, but there the vector points away from it.
