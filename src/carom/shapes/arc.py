@@ -39,8 +39,7 @@ class Arc(RoundShape):
     ) -> None:
         x, y = pair("center", center)
         size = positive("radius", radius)
-        start = normalize_angle(number("start_angle", start_angle))
-        end = normalize_angle(number("end_angle", end_angle))
+        start, end = _two_angles(start_angle, end_angle)
         self._create("end_angle", end_angle, options, cx=x, cy=y, radius=size, start_angle=start, end_angle=end)
 
     def __repr__(self) -> str:
@@ -73,8 +72,7 @@ class Arc(RoundShape):
 
     def set_angles(self, start_angle: float, end_angle: float) -> None:
         """Nothing; sets both angles at once. Raises `InvalidArgument` where they are equal."""
-        start = normalize_angle(number("start_angle", start_angle))
-        end = normalize_angle(number("end_angle", end_angle))
+        start, end = _two_angles(start_angle, end_angle)
         self._set_geometry("end_angle", end_angle, start_angle=start, end_angle=end)
 
     @property
@@ -133,3 +131,12 @@ class Arc(RoundShape):
         rest = Arc.__new__(Arc)
         rest._begin(row, None, None)
         return rest
+
+
+def _two_angles(start_angle: float, end_angle: float) -> tuple[float, float]:
+    """The two angles that a user gave, normalized; raises for equal ones."""
+    start = normalize_angle(number("start_angle", start_angle))
+    end = normalize_angle(number("end_angle", end_angle))
+    if start == end:
+        raise refuse("end_angle", f"must differ from start_angle={start_angle!r} by more than full turns", end_angle)
+    return start, end

@@ -31,11 +31,16 @@ def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
         return compound._surface.get(name)
 
     def write(compound: Compound, value: Any) -> None:
+        if value is None:
+            compound._surface.pop(name, None)
+            return
         compound._surface[name] = check(name, value)
         for shape in compound.shapes:
             setattr(shape, name, compound._surface[name])
 
-    return property(read, write, doc=f"The {name} that was set for all parts, those added later too; None if none was.")
+    return property(
+        read, write, doc=f"The {name} that was set for all parts, also those added later; None leaves it to each part."
+    )
 
 
 class Compound(Group):
@@ -98,11 +103,10 @@ class Compound(Group):
         self._surface: dict[str, Any] = {}
         given = (elasticity, kick, sensor, can_collide, layer, collides_with)
         for field, value in zip(_SURFACE, given, strict=True):
-            if value is not None:
-                setattr(self, field, value)
+            setattr(self, field, value)
         self._name = text_or_none("name", name)
         self.user = user
-        self._take(_listed(shapes))
+        self._take("shapes[{}]", _listed(shapes))
         center_point._compound = self
 
     def __repr__(self) -> str:
@@ -128,14 +132,14 @@ class Compound(Group):
 
         Raises `InvalidArgument` for what is no shape, and for a shape that is a part already or in another world.
         """
-        self._take([shape])
+        self._take("shape", [shape])
         if self.world is not None and shape.world is None:
             self.world.add(shape)
         return shape
 
-    def _take(self, shapes: list[Shape]) -> None:
-        """Nothing; makes parts of shapes, all or none."""
-        rows = [self._part_row(shape) for shape in shapes]
+    def _take(self, name: str, shapes: list[Shape]) -> None:
+        """Nothing; makes parts of shapes, all or none; `name` is what to call the one at a place in errors."""
+        rows = [self._part_row(name.format(place), shape) for place, shape in enumerate(shapes)]
         if len({id(shape) for shape in shapes}) < len(shapes):
             raise refuse("shapes", "must not hold a shape twice", shapes)
         for shape, row in zip(shapes, rows, strict=True):
@@ -145,14 +149,14 @@ class Compound(Group):
             for name, value in self._surface.items():
                 setattr(shape, name, value)
 
-    def _part_row(self, shape: Shape) -> Row:
+    def _part_row(self, name: str, shape: Shape) -> Row:
         """The row that `shape` has as a part of this compound; raises where it cannot be one."""
         if not isinstance(shape, Shape):
-            raise refuse("shape", "must be a Point, a Segment, a Gate, a Circle or an Arc", shape)
+            raise refuse(name, "must be a Point, a Segment, a Gate, a Circle or an Arc", shape)
         if shape.compound is not None:
-            raise refuse("shape", "must not be part of a compound already", shape)
+            raise refuse(name, "must not be part of a compound already", shape)
         if shape.world is not None and shape.world is not self.world:
-            raise refuse("shape", "must not be in another world than the compound", shape)
+            raise refuse(name, "must not be in another world than the compound", shape)
         row, center = shape._row.copy(), self.center_point._row
         row["motion"] = KINEMATIC
         row["pivot_x"], row["pivot_y"] = center["initial_pivot_x"], center["initial_pivot_y"]
@@ -161,7 +165,7 @@ class Compound(Group):
             row[field] = center[field]
         row["orientation"] = center["orientation"]
         row["pivot_x"], row["pivot_y"] = center["pivot_x"], center["pivot_y"]
-        return shape._posed(row, "shape", shape)
+        return shape._posed(row, name, shape)
 
     # -- who it is ---------------------------------------------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from carom.checks import Vector, pair, refuse
 from carom.constants import ROUNDING
 from carom.geometry.vector import cross, unit
 from carom.rows import GATE, Row
-from carom.shapes.segment import Segment
+from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
 
 
@@ -31,9 +31,9 @@ class Gate(Segment):
     def __init__(
         self, start: Vector, end: Vector, direction: Vector | None = None, **options: Unpack[ShapeOptions]
     ) -> None:
-        (ax, ay), (bx, by) = sorted((pair("start", start), pair("end", end)))
+        (ax, ay), (bx, by) = two_ends(start, end)
         if direction is None:
-            tx, ty = unit(bx - ax, by - ay) or (0.0, 0.0)  # equal ends are refused below
+            tx, ty = unit(bx - ax, by - ay) or (0.0, 0.0)  # the ends differ, but their difference may overflow
             dx, dy = 0.0 - ty, tx
         else:
             dx, dy = _unit_direction(direction)

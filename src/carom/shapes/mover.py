@@ -125,13 +125,17 @@ class Mover(Member):
 
     @position.setter
     def position(self, value: Vector) -> None:
-        x, y = pair("position", value)
-        self._refuse_part("position", value)
+        self._put_at("position", value)
+
+    def _put_at(self, name: str, value: Vector) -> None:
+        """Nothing; moves the shape so that its position is `value`, and its pivot with it."""
+        x, y = pair(name, value)
+        self._refuse_part(name, value)
         from_x, from_y = self.position
         pivot_x, pivot_y = self.pivot
         # Not the pivot plus the way: a pivot that is the position is to stay so, to the bit.
         pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
-        self._write(self._moved("position", value, (x, y), pivot))
+        self._write(self._moved(name, value, (x, y), pivot))
 
     @property
     def pivot(self) -> Vector:

@@ -76,7 +76,7 @@ class RoundShape(Shape, Round):
 
     @center.setter
     def center(self, value: Vector) -> None:
-        self.position = pair("center", value)
+        self._put_at("center", value)
 
     @property
     def radius(self) -> float:

@@ -28,8 +28,7 @@ class Segment(Shape):
     _KIND = SEGMENT
 
     def __init__(self, start: Vector, end: Vector, **options: Unpack[ShapeOptions]) -> None:
-        ax, ay = pair("start", start)
-        bx, by = pair("end", end)
+        (ax, ay), (bx, by) = two_ends(start, end)
         self._create("end", end, options, ax=ax, ay=ay, bx=bx, by=by)
 
     def __repr__(self) -> str:
@@ -50,8 +49,12 @@ class Segment(Shape):
 
     @p0.setter
     def p0(self, value: Vector) -> None:
-        x, y = pair("p0", value)
-        self._set_geometry("p0", value, ax=x, ay=y)
+        self._put_p0("p0", value)
+
+    def _put_p0(self, name: str, value: Vector) -> None:
+        """Nothing; moves the end `p0`."""
+        x, y = pair(name, value)
+        self._set_geometry(name, value, ax=x, ay=y)
 
     @property
     def p1(self) -> Vector:
@@ -61,23 +64,34 @@ class Segment(Shape):
 
     @p1.setter
     def p1(self, value: Vector) -> None:
-        x, y = pair("p1", value)
-        self._set_geometry("p1", value, bx=x, by=y)
+        self._put_p1("p1", value)
+
+    def _put_p1(self, name: str, value: Vector) -> None:
+        """Nothing; moves the end `p1`."""
+        x, y = pair(name, value)
+        self._set_geometry(name, value, bx=x, by=y)
 
     @property
     def start(self) -> Vector:
         """The same as `p0`, under the constructor's name; the order that was given is not kept."""
         return self.p0
 
+    @start.setter
+    def start(self, value: Vector) -> None:
+        self._put_p0("start", value)
+
     @property
     def end(self) -> Vector:
         """The same as `p1`, under the constructor's name."""
         return self.p1
 
+    @end.setter
+    def end(self, value: Vector) -> None:
+        self._put_p1("end", value)
+
     def set_ends(self, start: Vector, end: Vector) -> None:
         """Nothing; moves both ends at once. Raises `InvalidArgument` where they are equal."""
-        ax, ay = pair("start", start)
-        bx, by = pair("end", end)
+        (ax, ay), (bx, by) = two_ends(start, end)
         self._set_geometry("end", end, ax=ax, ay=ay, bx=bx, by=by)
 
     # -- what follows from them --------------------------------------------------------------------------------------
@@ -134,3 +148,11 @@ class Segment(Shape):
         """The point of it that is nearest to `p`; an end, where `p` lies past that."""
         x, y = pair("p", p)
         return closest_on_segment(*self.p0, *self.p1, x, y)
+
+
+def two_ends(start: Vector, end: Vector) -> tuple[Vector, Vector]:
+    """The two ends that a user gave, the smaller x first (of equal ones, the smaller y); raises for equal ones."""
+    ends = pair("start", start), pair("end", end)
+    if ends[0] == ends[1]:
+        raise refuse("end", "must differ from start", end)
+    return min(ends), max(ends)
