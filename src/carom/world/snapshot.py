@@ -173,6 +173,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     world._objects = kept
     _restore_objects(world, parts, compounds)
     world._arguments = None
+    world._dt = -1.0
 
 
 def _keep_saved(world: World) -> None:

@@ -88,6 +88,8 @@ class World(Settings):
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
         self._arguments: tuple[Rows, ...] | None = None
+        self._dt = -1.0
+        self._no_hits = Hits.of(self, NO_ROWS)
 
     # -- what is in it -----------------------------------------------------------------------------------------------
 
@@ -282,6 +284,7 @@ class World(Settings):
         """Nothing; has the next step look at its tables anew."""
         self._states[0]["wake"] = 1
         self._arguments = None
+        self._dt = -1.0
 
     def _will_wake(self) -> bool:
         """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
@@ -361,10 +364,12 @@ class World(Settings):
             self._room.prepare()
             self._arguments = self._room.arguments()
         kernel = compiled.load("discrete.step_discrete")
-        state["dt"] = dt
+        if dt != self._dt:
+            state["dt"] = self._dt = dt
         state["steps_left"] = steps
-        self._removed = []
-        self._left = NO_BALLS
+        if self._removed or self._left is not NO_BALLS:
+            self._removed = []
+            self._left = NO_BALLS
         try:
             status = kernel(*self._arguments)
             while status != DONE:
@@ -375,9 +380,9 @@ class World(Settings):
                 self._roll_back()
             clear_kernel_place(state)
             raise
-        rows = self._take_hits()
         if not self._removed:
-            return Hits.of(self, rows)
+            return Hits.of(self, self._take_hits()) if state["hits"] else self._no_hits
+        rows = self._take_hits()
         gone = np.concatenate(self._removed)
         self._left = gone
         return Hits.of(self, rows, gone)
