@@ -12,6 +12,9 @@ from rich.table import Table
 from benchmarks.engines import Engine, engines
 from benchmarks.setup import Setup
 
+#: Steps that an engine makes before it is another's turn: enough for its data to come back into the caches.
+TURN = 10
+
 
 @dataclass(frozen=True)
 class Figure:
@@ -42,12 +45,13 @@ def energy(engine: Engine, setup: Setup) -> float:
     return float(0.5 * np.sum(velocity * velocity) - np.sum(position @ np.asarray(setup.gravity)))
 
 
-def race_steps(workload: str, setup: Setup, warm_up: int, steps: int) -> list[Figure]:
+def race_steps(workload: str, setup: Setup, steps: int) -> list[Figure]:
     """Median milliseconds of a step of `setup`, by every engine, and the energy each has kept."""
     worlds = {name: make(setup) for name, make in engines().items()}
     before = {name: energy(world, setup) for name, world in worlds.items()}
-    race({name: world.step for name, world in worlds.items()}, warm_up)
-    seconds = race({name: world.step for name, world in worlds.items()}, steps)
+    calls = {name: world.step for name, world in worlds.items()}
+    race(calls, rounds=1, calls_each=TURN)
+    seconds = race(calls, rounds=steps // TURN, calls_each=TURN)
     return [
         Figure(workload, name, 1e3 * seconds[name], "ms a step", energy(world, setup) / before[name])
         for name, world in worlds.items()
@@ -56,14 +60,15 @@ def race_steps(workload: str, setup: Setup, warm_up: int, steps: int) -> list[Fi
 
 def show(title: str, figures: list[Figure], console: Console) -> None:
     """Print figures as a table; a ratio tells how many times carom's value of the same workload it is."""
-    table = Table(title=title, title_justify="left")
-    table.add_column("workload")
-    table.add_column("engine")
-    for heading in ("median", "times carom", "energy kept"):
-        table.add_column(heading, justify="right")
+    table = Table("workload", "engine", title=title, title_justify="left")
+    table.add_column("median", justify="right")
+    table.add_column("times carom", justify="right")
+    with_energy = any(figure.energy_kept is not None for figure in figures)
+    if with_energy:
+        table.add_column("energy kept", justify="right")
     ours = {figure.workload: figure.value for figure in figures if figure.engine == "carom"}
     for figure in figures:
-        kept = "" if figure.energy_kept is None else f"{figure.energy_kept:.6f}"
-        ratio = "" if figure.engine == "carom" else f"{figure.value / ours[figure.workload]:.1f}"
-        table.add_row(figure.workload, figure.engine, f"{figure.value:.3g} {figure.unit}", ratio, kept)
+        ratio = "" if figure.engine == "carom" else f"{figure.value / ours[figure.workload]:.2g}"
+        kept = [f"{figure.energy_kept:.6f}"] if with_energy else []
+        table.add_row(figure.workload, figure.engine, f"{figure.value:.4g} {figure.unit}", ratio, *kept)
     console.print(table)

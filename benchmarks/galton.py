@@ -49,4 +49,4 @@ def galton(balls: int, columns: int, rows: int) -> Setup:
 def run(quick: bool) -> list[Figure]:
     """Milliseconds of one step, over the time in which the balls come down."""
     balls, columns, rows, steps = (500, 20, 10, 20) if quick else (10_000, 60, 40, 1_200)
-    return race_steps(f"{balls:,} balls, {rows} rows", galton(balls, columns, rows), warm_up=5, steps=steps)
+    return race_steps(f"{balls:,} balls, {rows} rows", galton(balls, columns, rows), steps)
