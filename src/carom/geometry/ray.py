@@ -1,0 +1,90 @@
+"""The first touch of a ray, or of a circle that is moved along one: `ray_<kind>` for each kind of shape.
+
+The shape's numbers come first, then the start `x, y`, the circle's `radius` (0 for a ray proper) and the way to the
+target `dx, dy`. Each returns `(fraction, px, py, nx, ny)`: how much of the way is gone at the first touch, the point
+on the shape, and the unit normal there, which points against the motion; or None. What a touch is, `impact` says: a
+circle that touches already and approaches touches at 0, one that leaves or slides does not. A ball is a solid circle.
+"""
+
+from __future__ import annotations
+
+from carom.geometry.impact import impact_arc, impact_circle, impact_point, impact_segment
+from carom.geometry.overlap import direction_or
+from carom.geometry.vector import larger, smaller
+
+
+def ray_point(
+    qx: float, qy: float, x: float, y: float, radius: float, dx: float, dy: float
+) -> tuple[float, float, float, float, float] | None:
+    """The first touch with the point q; a ray of radius 0 has none, however well it is aimed."""
+    fraction = impact_point(qx, qy, x, y, radius, dx, dy, 0.0, 0.0, 1.0)
+    if fraction is None:
+        return None
+    nx, ny = direction_or(x + dx * fraction - qx, y + dy * fraction - qy, dx, dy)
+    return fraction, qx, qy, nx, ny
+
+
+def ray_segment(
+    ax: float,
+    ay: float,
+    tx: float,
+    ty: float,
+    extent: float,
+    x: float,
+    y: float,
+    radius: float,
+    dx: float,
+    dy: float,
+) -> tuple[float, float, float, float, float] | None:
+    """The first touch, on either side, with the segment of length `extent` from a along the unit vector t, or None."""
+    fraction = impact_segment(ax, ay, tx, ty, extent, x, y, radius, dx, dy, 0.0, 0.0, 1.0, 0.0)
+    if fraction is None:
+        return None
+    along = (x + dx * fraction - ax) * tx + (y + dy * fraction - ay) * ty
+    along = smaller(larger(along, 0.0), extent)
+    nx, ny = 0.0 - ty, tx
+    if nx * dx + ny * dy > 0.0:
+        nx, ny = ty, 0.0 - tx
+    return fraction, ax + along * tx, ay + along * ty, nx, ny
+
+
+def ray_circle(
+    cx: float, cy: float, r: float, solid: int, x: float, y: float, radius: float, dx: float, dy: float
+) -> tuple[float, float, float, float, float] | None:
+    """The first touch with the circle of radius r about c, from outside or (unless it is solid) inside, or None."""
+    fraction = impact_circle(cx, cy, r, solid, x, y, radius, dx, dy, 0.0, 0.0, 1.0)
+    if fraction is None:
+        return None
+    return touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)
+
+
+def ray_arc(
+    cx: float,
+    cy: float,
+    r: float,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    x: float,
+    y: float,
+    radius: float,
+    dx: float,
+    dy: float,
+) -> tuple[float, float, float, float, float] | None:
+    """The first touch, from either side, with the arc of radius r about c from its end a to its end b, or None."""
+    fraction = impact_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0, 0.0, 1.0, 0.0)
+    if fraction is None:
+        return None
+    return touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)
+
+
+def touch_of_perimeter(
+    fraction: float, cx: float, cy: float, r: float, x: float, y: float, dx: float, dy: float
+) -> tuple[float, float, float, float, float]:
+    """The touch after `fraction` of the way, with its point on the circle of radius r about c and its normal."""
+    ux, uy = direction_or(x + dx * fraction - cx, y + dy * fraction - cy, dx, dy)
+    px, py = cx + r * ux, cy + r * uy
+    if ux * dx + uy * dy > 0.0:
+        return fraction, px, py, 0.0 - ux, 0.0 - uy
+    return fraction, px, py, ux, uy

@@ -1,0 +1,122 @@
+"""Real roots of polynomials within a stretch of time, none lost and none made up.
+
+A quadratic is solved in closed form, without cancellation. The roots of a cubic are enclosed between those of its
+derivative, a quadratic, and so on up: between two neighbouring roots of the derivative a polynomial is monotone, so its
+sign at the two ends tells whether there is a root, and safeguarded Newton finds it. Coefficients come highest first.
+Source: Press et al., Numerical Recipes, 3rd ed., 5.6 (quadratics) and 9.4 (rtsafe).
+"""
+
+from __future__ import annotations
+
+from math import copysign, fabs, sqrt
+
+from carom.constants import ROOT_STEPS, ROOT_TOLERANCE
+
+
+def falling_time(height: float, rate: float, acceleration: float) -> float | None:
+    """The first time, from 0 on, at which height + rate·t + acceleration·t²/2 falls through zero; None if never.
+
+    From a height of zero or less it has to rise above zero first. A height that only grazes zero does not fall
+    through it. Neither of the two forms of the root adds numbers of opposite signs.
+    """
+    squared = rate * rate - 2.0 * acceleration * height
+    if not squared > 0.0:
+        return None
+    root = sqrt(squared)
+    if rate > 0.0:
+        if acceleration >= 0.0:
+            return None
+        return (rate + root) / (0.0 - acceleration)
+    if height <= 0.0:
+        return None
+    return 2.0 * height / (root - rate)
+
+
+def quadratic_roots(c2: float, c1: float, c0: float, duration: float) -> tuple[float, float]:
+    """The two real roots of c2·t² + c1·t + c0 in ascending order, each brought into [0, duration].
+
+    Where it has none, or a double one, where its sign does not change, or is linear or constant: the missing ones
+    count as infinite, so as `duration`, or as 0 on the other side.
+    """
+    squared = c1 * c1 - 4.0 * c2 * c0
+    if not squared > 0.0:
+        return duration, duration
+    # The sum of two numbers of one sign loses no digits; the other root follows from the product of both, c0/c2.
+    sum_ = -0.5 * (c1 + copysign(sqrt(squared), c1))
+    first = clipped_ratio(sum_, c2, duration)
+    second = clipped_ratio(c0, sum_, duration)
+    if first <= second:
+        return first, second
+    return second, first
+
+
+def clipped_ratio(numerator: float, denominator: float, limit: float) -> float:
+    """numerator/denominator brought into [0, limit]; `limit` for a positive number over zero."""
+    if denominator < 0.0:
+        numerator, denominator = -numerator, -denominator
+    if not numerator > 0.0:
+        return 0.0
+    if numerator >= denominator * limit:
+        return limit
+    return numerator / denominator
+
+
+def cubic_roots(c3: float, c2: float, c1: float, c0: float, duration: float) -> tuple[float, float, float]:
+    """The times in [0, duration], in order, at which the cubic changes sign; `duration` for each one missing.
+
+    A double root, where the sign does not change, is left out or given twice.
+    """
+    turn1, turn2 = quadratic_roots(3.0 * c3, 2.0 * c2, c1, duration)
+    first, second, third = duration, duration, duration
+    count = 0
+    low, value = 0.0, c0
+    for high in (turn1, turn2, duration):
+        if not high > low:
+            continue
+        value_high = ((c3 * high + c2) * high + c1) * high + c0
+        if (value < 0.0) != (value_high < 0.0):
+            # where a straight line between the ends would cross zero
+            guess = low + (high - low) * (value / (value - value_high))
+            root = root_between(0.0, c3, c2, c1, c0, low, high, value < 0.0, guess)
+            if count == 0:
+                first = root
+            elif count == 1:
+                second = root
+            else:
+                third = root
+            count += 1
+        low, value = high, value_high
+    return first, second, third
+
+
+def root_between(
+    c4: float, c3: float, c2: float, c1: float, c0: float, low: float, high: float, rising: bool, guess: float
+) -> float:
+    """The root of a quartic that changes sign once between `low` and `high`, from below if `rising`.
+
+    Newton's steps from `guess`; one that leaves the enclosure, or is not half as long as the one before, gives way to
+    halving the enclosure, so it always ends. The error is that of evaluating the polynomial at the root.
+    """
+    time = guess
+    if not low < time < high:
+        time = low + 0.5 * (high - low)
+    step = high - low
+    for _ in range(ROOT_STEPS):
+        value = (((c4 * time + c3) * time + c2) * time + c1) * time + c0
+        if value == 0.0:
+            return time
+        if (value < 0.0) == rising:
+            low = time
+        else:
+            high = time
+        slope = ((4.0 * c4 * time + 3.0 * c3) * time + 2.0 * c2) * time + c1
+        following = low + 0.5 * (high - low)
+        if 2.0 * fabs(value) < fabs(slope * step):
+            newton = time - value / slope
+            if low < newton < high:
+                following = newton
+        step = following - time
+        time = following
+        if fabs(step) <= ROOT_TOLERANCE * fabs(time):
+            return time
+    return time
