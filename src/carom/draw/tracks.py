@@ -1,0 +1,82 @@
+"""The ways that balls took: thinned to the points that matter, and cut into bands of age."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from carom.draw.painter import Points
+
+Floats: TypeAlias = NDArray[np.float64]
+
+#: Into how many steps of fading a track is cut.
+BANDS = 10
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """Where the centre of ball `ball` was: `points` (n, 2) at `times` (n,), in order of time."""
+
+    ball: int
+    times: Floats
+    points: Points
+
+
+def thinned(track: Track, tolerance: float) -> Track:
+    """`track` without the points that lie within `tolerance` of the line through those kept.
+
+    Source: the method of Ramer (1972) and of Douglas and Peucker (1973).
+    """
+    points = track.points
+    keep = np.zeros(len(points), dtype=bool)
+    keep[[0, -1]] = True
+    spans = [(0, len(points) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        distances = distances_to_segment(points[first + 1 : last], points[first], points[last])
+        worst = int(np.argmax(distances))
+        if distances[worst] > tolerance:
+            middle = first + 1 + worst
+            keep[middle] = True
+            spans += [(first, middle), (middle, last)]
+    return Track(track.ball, track.times[keep], points[keep])
+
+
+def distances_to_segment(points: Points, start: Floats, end: Floats) -> Floats:
+    """The distance (n,) of each of `points` (n, 2) from the segment between `start` and `end`, which may be equal."""
+    along = end - start
+    length_squared = float(along[0] * along[0] + along[1] * along[1])
+    offsets = points - start
+    if length_squared > 0.0:
+        fractions = np.clip((offsets[:, 0] * along[0] + offsets[:, 1] * along[1]) / length_squared, 0.0, 1.0)
+        offsets = offsets - fractions[:, None] * along
+    return np.sqrt(offsets[:, 0] * offsets[:, 0] + offsets[:, 1] * offsets[:, 1])
+
+
+def bands(track: Track, start: float, end: float) -> Iterator[tuple[int, Points]]:
+    """The parts of `track` in each of `BANDS` equal spans of time from `start` to `end`: (band, points), oldest first.
+
+    Neighbouring parts share the point between them. A band in which the track has no length is left out.
+    """
+    edges = np.linspace(start, end, BANDS + 1)
+    for band in range(BANDS):
+        low = max(edges[band], track.times[0])
+        high = min(edges[band + 1], track.times[-1])
+        if high <= low:
+            continue
+        inside = (track.times > low) & (track.times < high)
+        ends = np.array([position_at(track, low), position_at(track, high)])
+        yield band, np.concatenate([ends[:1], track.points[inside], ends[1:]])
+
+
+def position_at(track: Track, time: float) -> tuple[float, float]:
+    """Where `track` was at `time`, on the straight line between the points beside it."""
+    x, y = track.points[:, 0], track.points[:, 1]
+    return float(np.interp(time, track.times, x)), float(np.interp(time, track.times, y))
