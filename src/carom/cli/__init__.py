@@ -1,0 +1,5 @@
+"""The command line: `carom run`, `show`, `check`, `scenes`."""
+
+from carom.cli.app import main
+
+__all__ = ["main"]

@@ -1,0 +1,107 @@
+"""The commands and their options; what they do is in the modules beside this one."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+
+from carom.cli import commands
+from carom.cli.mistakes import Mistake
+from carom.cli.quantities import non_negative, positive
+from carom.draw import ThemeName
+from carom.errors import CaromError, SceneError
+
+app = typer.Typer(
+    name="carom",
+    help="Exact, fast 2D collisions: run a scene, look at it, check it.",
+    epilog="SCENE is a scene file (.toml, .json) or the name of a shipped scene. "
+    "Exit status: 0 done, 1 a failure of the program or the machine, 2 a mistake in what was asked.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+SceneName = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")]
+Theme = Annotated[ThemeName, typer.Option(help="Colours of a picture; auto follows the reader's own setting.")]
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Nothing; runs the command line (of this process, or `arguments`) and exits with its status."""
+    try:
+        app(arguments, prog_name="carom")
+    except (Mistake, SceneError) as error:
+        fail(error, 2)
+    except (CaromError, OSError) as error:
+        fail(error, 1)
+    sys.exit(0)
+
+
+def fail(error: Exception, status: int) -> NoReturn:
+    """Nothing; says on stderr what went wrong and exits with `status`."""
+    typer.echo(f"carom: {error}", err=True)
+    sys.exit(status)
+
+
+@app.callback()
+def root(
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=commands.tell_version, is_eager=True, help="Show the version and exit."),
+    ] = False,
+) -> None:
+    """Take the options of `carom` itself."""
+
+
+@app.command()
+def run(
+    scene: SceneName,
+    seconds: Annotated[str, typer.Option(metavar="S", help="Simulated time to run for, in seconds.")] = "10",
+    dt: Annotated[str, typer.Option(metavar="S", help="Length of a step: a number or a fraction.")] = "1/60",
+    out: Annotated[
+        list[Path] | None,
+        typer.Option(
+            metavar="FILE",
+            help="Write a file, by its ending: .svg a picture of the run, .csv all hits, "
+            ".toml the end state as a scene. Can be given several times.",
+        ),
+    ] = None,
+    theme: Theme = ThemeName.AUTO,
+) -> None:
+    """Run a scene, show progress, and print what happened.
+
+    Ctrl-C stops the run; what was asked for is still written.
+    """
+    commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], theme)
+
+
+@app.command()
+def show(
+    scene: SceneName,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The picture; by default the scene's name and .svg, here."),
+    ] = None,
+    theme: Theme = ThemeName.AUTO,
+) -> None:
+    """Make a picture of a scene as it stands."""
+    commands.show(scene, out, theme)
+
+
+@app.command()
+def check(scene: SceneName) -> None:
+    """Say whether a scene file is good, and all that is wrong with it."""
+    commands.check(scene)
+
+
+@app.command()
+def scenes(
+    schema: Annotated[bool, typer.Option("--schema", help="Print the JSON Schema of scene files.")] = False,
+) -> None:
+    """List the shipped scenes."""
+    if schema:
+        commands.print_schema()
+    else:
+        commands.list_scenes()

@@ -1,0 +1,46 @@
+"""The hits of a run as a CSV file."""
+
+from __future__ import annotations
+
+import csv
+from typing import TYPE_CHECKING, Any
+
+from carom.world.hits import HitKind
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+#: The columns: seconds; "bounce", "enter" or "exit"; id and name (empty where there is none) of ball and shape; the
+#: point; the unit normal from shape to ball; the depth of the overlap; the speed of the impact; the momentum given.
+COLUMNS = (
+    "time",
+    "kind",
+    "ball",
+    "ball_name",
+    "shape",
+    "shape_name",
+    "x",
+    "y",
+    "normal_x",
+    "normal_y",
+    "setback",
+    "speed",
+    "impulse",
+)
+
+
+def write_hits(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None:
+    """Nothing; writes one line for each of `hits`, in order of time, every number with all of its digits.
+
+    `names` are those of shapes and balls that have one, by id.
+    """
+    kinds = {kind.value: kind.name.lower() for kind in HitKind}
+    with path.open("w", encoding="utf-8", newline="") as file:
+        lines = csv.writer(file, lineterminator="\n")
+        lines.writerow(COLUMNS)
+        for time, kind, ball, shape, point, normal, *rest in hits.tolist():
+            whose = (ball, names.get(ball, ""), shape, names.get(shape, ""))
+            lines.writerow((time, kinds[kind], *whose, *point.tolist(), *normal.tolist(), *rest))

@@ -1,0 +1,79 @@
+"""A run in slices short enough to tell how far it is and to answer Ctrl-C."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from carom.cli.interrupt import Interrupt
+from carom.cli.tally import Tally
+from carom.draw import Trace
+from carom.world.layout import HIT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from carom.rows import Rows
+    from carom.world.world import World
+
+#: Seconds of real time that a slice should take: between these, the number of its steps stays.
+SHORTEST_SLICE, LONGEST_SLICE = 0.05, 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a run has brought: steps made of those asked for, real seconds without the first step, and its hits."""
+
+    steps: int
+    asked: int
+    took: float
+    tally: Tally
+    hits: Rows  # none where they were not to be kept
+    trace: Trace | None
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the run was stopped before its end."""
+        return self.steps < self.asked
+
+
+def run(
+    world: World, steps: int, dt: float, *, keep_hits: bool, follow: bool, tell: Callable[[int, float], None]
+) -> Outcome:
+    """What `steps` steps of length `dt` bring, or those made before Ctrl-C.
+
+    `tell` is called with the steps made and the real seconds taken after each slice. The first slice is one step, and
+    its time is not counted: it may have to compile. Where balls are followed, every slice is one step. The world's
+    states and hits are the same however the steps are sliced.
+    """
+    trace = Trace(world) if follow else None
+    tally = Tally(world)
+    kept = [np.zeros(0, HIT)]
+    done, took, size = 0, 0.0, 1
+    with Interrupt() as interrupt:
+        while done < steps and not interrupt.asked:
+            count = min(size, steps - done)
+            began = perf_counter()
+            hits = world.run(count * dt, dt=dt).view(np.ndarray)
+            spent = perf_counter() - began
+            tally.add(hits)
+            if keep_hits:
+                kept.append(hits)
+            if trace is not None:
+                trace.note(hits)
+            elif done > 0:
+                size = next_size(count, spent)
+            took += spent if done > 0 else 0.0
+            done += count
+            tell(done, took)
+    return Outcome(done, steps, took, tally, np.concatenate(kept), trace)
+
+
+def next_size(count: int, spent: float) -> int:
+    """How many steps the next slice has, after one of `count` steps that took `spent` seconds."""
+    if spent < SHORTEST_SLICE:
+        return 2 * count
+    return max(1, count // 2) if spent > LONGEST_SLICE else count

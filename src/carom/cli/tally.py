@@ -1,0 +1,81 @@
+"""Hits counted by the shape that was hit, while a run goes on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.draw.looks import parts
+from carom.world.hits import HitKind
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+BALLS = "ball against ball"
+
+
+@dataclass(slots=True)
+class Count:
+    """What happened at one shape, or at all shapes of one name."""
+
+    label: str
+    bounces: int = 0
+    entries: int = 0
+    fastest: float = 0.0
+    strongest: float = 0.0
+
+    def add(self, hits: NDArray[Any]) -> None:
+        """Count some hits, all of them with this shape."""
+        bounces = hits[hits["kind"] == HitKind.BOUNCE]
+        self.bounces += len(bounces)
+        self.entries += int(np.count_nonzero(hits["kind"] == HitKind.ENTER))
+        if len(bounces) > 0:
+            self.fastest = max(self.fastest, float(bounces["speed"].max()))
+            self.strongest = max(self.strongest, float(bounces["impulse"].max()))
+
+
+class Tally:
+    """The counts of a run, by label: shapes of one name, and balls among each other, count together."""
+
+    def __init__(self, world: World) -> None:
+        self._labels = {shape.id: label_of(shape) for shape in parts(world.shapes)}
+        self._counts: dict[str, Count] = {}
+
+    def add(self, hits: NDArray[Any]) -> None:
+        """Count more hits."""
+        if len(hits) == 0:
+            return
+        hits = hits[np.argsort(hits["shape"], kind="stable")]
+        shapes, starts = np.unique(hits["shape"], return_index=True)
+        for shape, part in zip(shapes.tolist(), np.split(hits, starts[1:]), strict=True):
+            label = self._labels.get(shape, BALLS)
+            self._counts.setdefault(label, Count(label)).add(part)
+
+    def counts(self) -> list[Count]:
+        """The counts, the most frequent first."""
+        return sorted(self._counts.values(), key=lambda count: (-count.bounces - count.entries, count.label))
+
+
+def name_of(shape: Shape) -> str | None:
+    """The name of `shape`, or that of the compound that it is a part of, or None."""
+    if shape.name is None and shape.compound is not None:
+        return shape.compound.name
+    return shape.name
+
+
+def names_in(world: World) -> dict[int, str]:
+    """The names of the shapes and balls that have one, by id."""
+    named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
+    named += [(ball.id, ball.name) for ball in world.balls]
+    return {member: name for member, name in named if member is not None and name is not None}
+
+
+def label_of(shape: Shape) -> str:
+    """What to call `shape` in a table: its name, or what and where it is."""
+    x, y = shape.position
+    return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"

@@ -1,0 +1,271 @@
+"""The commands as a user meets them: what they print, what they write, how they exit."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+import carom
+from carom.cli import main
+from carom.cli.hits_file import COLUMNS
+
+GOOD = """version = 1
+[world]
+gravity = [0, -10]
+[[shapes]]
+kind = "segment"
+start = [-5, 0]
+end = [5, 0]
+name = "floor, {shiny} [bold]"
+elasticity = 0.8
+[[balls]]
+position = [0, 2]
+radius = 0.5
+"""
+BAD = GOOD + 'color = "red"\n[[balls]]\nposition = [0, 1]\nradius = -1\n'
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder to work in, with a good and a bad scene file."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "120")
+    (tmp_path / "good.toml").write_text(GOOD)
+    (tmp_path / "bad.toml").write_text(BAD)
+    return tmp_path
+
+
+def carom_says(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    """Exit status, stdout and stderr of a command, without what the first run on a machine says of compiling."""
+    with pytest.raises(SystemExit) as caught:
+        main(list(arguments))
+    printed = capsys.readouterr()
+    told = [line for line in printed.err.splitlines(keepends=True) if not line.startswith("carom: compil")]
+    return int(caught.value.code or 0), printed.out, "".join(told)
+
+
+@pytest.mark.usefixtures("here")
+def test_a_run_prints_what_happened(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = carom_says(capsys, "run", "good.toml", "--seconds", "2")
+    world = carom.Scene.load("good.toml").build()
+    hits = world.run(2.0)
+    assert status == 0
+    assert err == ""
+    assert "2 s simulated in 120 steps" in out
+    assert f"floor, {{shiny}} [bold] {len(hits)} " in " ".join(out.split())
+    assert world.digest() in out
+
+
+def test_a_run_writes_what_is_asked_for_and_nothing_else(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    names = ("run.svg", "run.csv", "run.toml")
+    outs = [argument for name in names for argument in ("--out", name)]
+    before = set(here.iterdir())
+    status, out, _ = carom_says(capsys, "run", "good.toml", "--seconds", "1", "--dt", "1/100", *outs)
+    assert status == 0
+    assert {path.name for path in set(here.iterdir()) - before} == set(names)
+    assert all(f"wrote {name}" in out for name in names)
+    world = carom.Scene.load("good.toml").build()
+    hits = world.run(1.0, dt=1 / 100)
+    assert ElementTree.parse(here / "run.svg").getroot().find("{*}title").text == "good"
+    assert carom.Scene.load("run.toml").balls[0].position == world.balls[0].position
+    with (here / "run.csv").open(newline="") as file:
+        header, *lines = csv.reader(file)
+    assert tuple(header) == COLUMNS
+    assert [float(line[0]) for line in lines] == hits["time"].tolist()
+    assert {line[5] for line in lines} == {"floor, {shiny} [bold]"}
+    assert [(float(line[6]), float(line[7])) for line in lines] == [tuple(point) for point in hits["point"].tolist()]
+
+
+@pytest.mark.usefixtures("here")
+def test_a_run_of_no_time_is_the_scene_as_it_stands(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = carom_says(capsys, "run", "good.toml", "--seconds", "0", "--out", "same.toml")
+    assert status == 0
+    assert "no hits" in out
+    loaded, saved = (carom.Scene.load(name).build() for name in ("good.toml", "same.toml"))
+    assert saved.digest() == loaded.digest()
+
+
+def test_a_shipped_scene_runs_by_its_name(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = carom_says(capsys, "run", "pinball", "--seconds", "1", "--out", "pinball.svg", "--theme", "dark")
+    assert status == 0
+    assert out.startswith("pinball  1 s simulated in 60 steps")
+    assert "Pinball" in (here / "pinball.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("run", "pinbal"), "did you mean pinball?"),
+        (("run", "missing.toml"), "no such file"),
+        (("run", "."), "is a folder"),
+        (("run", "good.toml", "--dt", "fast"), "--dt fast: is no number, nor a fraction like 1/60"),
+        (("run", "good.toml", "--dt", "0"), "--dt 0: must be above 0"),
+        (("run", "good.toml", "--seconds", "-1"), "--seconds -1: must not be below 0"),
+        (("run", "good.toml", "--seconds", "1/1000"), "less than half a step"),
+        (("run", "good.toml", "--seconds", "1e300"), "more than 1e+12 steps"),
+        (("run", "good.toml", "--out", "run.png"), "run.png: its ending must be one of .svg, .csv, .toml"),
+        (("run", "good.toml", "--out", "no/run.svg"), "there is no folder no"),
+        (("run", "good.toml", "--out", "good.toml"), "is the scene itself"),
+        (("run", "good.toml", "--out", "a.svg", "--out", "a.svg"), "asked for twice"),
+        (("show", "good.toml", "--out", "run.csv"), "its ending must be one of .svg"),
+        (("show", "missing"), "no such file"),
+        (("check", "missing"), "no such file"),
+        (("check", "notes.txt"), "no such file"),
+    ],
+)
+def test_a_mistake_is_told_in_one_line_before_anything_runs(
+    here: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], told: str
+) -> None:
+    before = set(here.iterdir())
+    status, out, err = carom_says(capsys, *arguments)
+    assert status == 2
+    assert out == ""
+    assert told in err
+    assert err.startswith("carom: ")
+    assert err.count("\n") == 1
+    assert set(here.iterdir()) == before
+
+
+@pytest.mark.usefixtures("here")
+@pytest.mark.parametrize("command", ["run", "show", "check"])
+def test_a_bad_scene_is_refused_with_all_its_faults(capsys: pytest.CaptureFixture[str], command: str) -> None:
+    status, out, err = carom_says(capsys, command, "bad.toml")
+    assert status == 2
+    assert out == ""
+    assert "balls[0].color" in err
+    assert "balls[1].radius" in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.usefixtures("here")
+@pytest.mark.parametrize("arguments", [("run",), ("walk",), ("run", "good.toml", "--theme", "pink"), ("scenes", "x")])
+def test_what_the_options_do_not_allow_is_a_mistake_too(
+    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]
+) -> None:
+    status, out, err = carom_says(capsys, *arguments)
+    assert status == 2
+    assert out == ""
+    assert err != ""
+    assert "Traceback" not in err
+
+
+@pytest.mark.usefixtures("here")
+def test_a_good_scene_is_said_to_be_good(capsys: pytest.CaptureFixture[str]) -> None:
+    assert carom_says(capsys, "check", "good.toml") == (0, "good: good: 1 shape, 1 ball\n", "")
+    assert carom_says(capsys, "check", "newtons_cradle")[0] == 0
+
+
+def test_a_picture_goes_to_this_folder_under_the_scene_s_name(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "scenes").mkdir()
+    (here / "scenes" / "table.toml").write_text(GOOD)
+    assert carom_says(capsys, "show", "scenes/table.toml")[:2] == (0, "wrote table.svg (2 kB)\n")
+    assert carom_says(capsys, "show", "stadium")[0] == 0
+    assert carom_says(capsys, "show", "good.toml", "--out", "other.svg", "--theme", "light")[0] == 0
+    for name in ("table.svg", "stadium.svg", "other.svg"):
+        assert ElementTree.parse(here / name).getroot().tag.endswith("svg")
+
+
+@pytest.mark.usefixtures("here")
+def test_the_shipped_scenes_are_listed_a_line_each(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = carom_says(capsys, "scenes")
+    assert status == 0
+    assert [line.split()[0] for line in out.splitlines() if not line.startswith(" ")] == list(carom.scenes.names())
+
+
+def test_the_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = carom_says(capsys, "scenes", "--schema")
+    assert status == 0
+    assert json.loads(out) == carom.Scene.json_schema()
+
+
+def test_the_version_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert carom_says(capsys, "--version") == (0, f"carom {carom.__version__}\n", "")
+
+
+@pytest.mark.parametrize("arguments", [("--help",), ("run", "--help"), ("show", "--help"), ("scenes", "--help")])
+def test_there_is_help(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]) -> None:
+    status, out, err = carom_says(capsys, *arguments)
+    assert status == 0
+    assert "Usage: carom" in out
+    assert err == ""
+
+
+def test_a_file_that_cannot_be_written_in_the_end_fails_alone(
+    here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("carom.cli.commands.write_hits", full)
+    status, out, err = carom_says(capsys, "run", "good.toml", "--seconds", "1", "--out", "run.csv", "--out", "run.svg")
+    assert status == 1
+    assert "run.csv" in err
+    assert "No space left" in err
+    assert "wrote run.svg" in out
+    assert sorted(path.name for path in here.iterdir()) == ["bad.toml", "good.toml", "run.svg"]
+
+
+@pytest.mark.usefixtures("here")
+def test_a_world_that_fails_is_the_program_s_failure(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise carom.NonFiniteState("balls 1 are not finite")
+
+    monkeypatch.setattr(carom.World, "run", fail)
+    status, _, err = carom_says(capsys, "run", "good.toml")
+    assert (status, err) == (1, "carom: balls 1 are not finite\n")
+
+
+def command(*arguments: str) -> list[str]:
+    """The command line in a process of its own."""
+    return [sys.executable, "-c", "from carom.cli import main; main()", *arguments]
+
+
+def test_the_command_is_the_same_in_a_process_of_its_own(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    done = subprocess.run(command("check", "good.toml"), cwd=here, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "good: good: 1 shape, 1 ball\n")
+    done = subprocess.run(command("run", "nothing"), cwd=here, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "Traceback" not in done.stderr
+
+
+#: The command line, in a process that says when the first step is made.
+LOUD = """
+import sys
+from carom.cli import main, report
+tell = report.Bar.tell
+def loud(bar, steps, took):
+    if steps == 1:
+        print("stepping", file=sys.stderr, flush=True)
+    tell(bar, steps, took)
+report.Bar.tell = loud
+main()
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are sent the way of POSIX")
+def test_ctrl_c_stops_a_run_and_writes_what_was_asked(here: Path) -> None:
+    outs = ("--out", "run.svg", "--out", "run.csv", "--out", "run.toml")
+    process = subprocess.Popen(
+        [sys.executable, "-c", LOUD, "run", "good.toml", "--seconds", "1e7", *outs],
+        cwd=here,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert "stepping\n" in process.stderr
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == 0
+    assert "Traceback" not in err
+    assert "stopped before the end" in out
+    assert ElementTree.parse(here / "run.svg").getroot().tag.endswith("svg")
+    assert carom.Scene.load(here / "run.toml").balls
+    assert (here / "run.csv").read_text().startswith("time,kind,")
