@@ -72,16 +72,19 @@ class Mover(Member):
         set_initial(row)
         self._write(row)
 
-    def _moved(self, name: str, value: object, place: Vector, pivot: Vector) -> Row:
-        """A copy of the row moved to `place`, with its pivot at `pivot`, initial there; raises where that fails."""
+    def _moved(self, name: str, value: object, place: Vector, pivot: Vector | None) -> Row:
+        """A copy of the row moved to `place`, initial there, with its pivot at `pivot`, or at its position for None.
+
+        Raises where that fails.
+        """
         row = self._row.copy()
         from_x, from_y = self.position
         x, y = place
         row["cx"], row["cy"] = x, y
         row["ax"], row["bx"] = float(row["ax"]) + (x - from_x), float(row["bx"]) + (x - from_x)
         row["ay"], row["by"] = float(row["ay"]) + (y - from_y), float(row["by"]) + (y - from_y)
-        row["pivot_x"], row["pivot_y"] = pivot
         derive(row)
+        row["pivot_x"], row["pivot_y"] = (row["cx"], row["cy"]) if pivot is None else pivot
         self._check(row, name, value)
         set_initial(row)
         return row
@@ -133,8 +136,9 @@ class Mover(Member):
         self._refuse_part(name, value)
         from_x, from_y = self.position
         pivot_x, pivot_y = self.pivot
-        # Not the pivot plus the way: a pivot that is the position is to stay so, to the bit.
-        pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
+        # A pivot that is the position is to stay so to the bit, although rounding may put a segment's beside `value`.
+        centred = (pivot_x, pivot_y) == (from_x, from_y)
+        pivot = None if centred else (x + (pivot_x - from_x), y + (pivot_y - from_y))
         self._write(self._moved(name, value, (x, y), pivot))
 
     @property

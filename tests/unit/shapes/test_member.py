@@ -1,0 +1,174 @@
+"""Shapes and balls as views of rows: alone, in a table of a world, and back; their copies."""
+
+import copy
+import gc
+import inspect
+import pickle
+import weakref
+from typing import Any
+
+import numpy as np
+import pytest
+
+from carom import Arc, Ball, Circle, Gate, Point, Segment, Shape
+from carom.rows import BALL, KIND_NAMES, SHAPE
+from carom.shapes import SHAPE_CLASSES
+from carom.shapes.table import Table
+
+Member = Shape | Ball
+MEMBERS: list[Member] = [
+    Point((1, 2), name="post", user=[1, 2]),
+    Segment((1, 2), (3, 4), elasticity=0.5, motion="kinematic", angular_velocity=1),
+    Gate((1, 2), (3, 4), direction=(0, 1)),
+    Circle((1, 2), 3, solid=True),
+    Arc((1, 2), 3, 1, 2),
+    Ball((1, 2), 3, velocity=(4, 5), mass=6),
+]
+each_member = pytest.mark.parametrize("member", MEMBERS, ids=lambda member: member.kind)
+
+
+class Home:
+    """A world that only takes note of changes."""
+
+    def __init__(self) -> None:
+        self.changed: list[Member] = []
+
+    def _changed(self, member: Member) -> None:
+        self.changed.append(member)
+
+
+def bits(member: Member) -> bytes:
+    """All that a member knows, without its id."""
+    row = member._row.copy()
+    row["id"] = 0
+    return bytes(row.tobytes())
+
+
+@each_member
+def test_in_a_world_it_is_a_live_view_of_its_row(member: Member) -> None:
+    twin, home = copy.copy(member), Home()
+    table = Table(np.zeros(3, BALL if isinstance(twin, Ball) else SHAPE))
+    table.rows[2]["id"] = 42
+    twin._enter(home, table, 2)
+    assert (bits(twin), twin.id, twin.world) == (bits(member), 42, home)
+    twin.elasticity = 0.125
+    twin.position = (8, 9)
+    assert table.rows[2]["elasticity"] == 0.125
+    assert home.changed == [twin, twin]
+    table.rows[2]["layer"] = 7
+    assert twin.layer == 7
+    table.rows = np.concatenate([table.rows, table.rows])  # a table that grows
+    twin.layer = 9
+    assert table.rows[2]["layer"] == 9
+
+
+@each_member
+def test_after_leaving_it_keeps_its_last_values(member: Member) -> None:
+    twin, home = copy.copy(member), Home()
+    table = Table(np.zeros(1, BALL if isinstance(twin, Ball) else SHAPE))
+    table.rows[0]["id"] = 7
+    twin._enter(home, table, 0)
+    table.rows[0]["elasticity"] = 0.75
+    twin._leave()
+    table.rows[:] = 0
+    assert (twin.id, twin.world, twin.elasticity, twin.position) == (None, None, 0.75, member.position)
+    twin.elasticity = 0.5
+    assert home.changed == []
+
+
+def test_what_only_a_world_knows_stays_there() -> None:
+    ball, table = Ball((0, 0), 1), Table(np.zeros(1, BALL))
+    ball._enter(Home(), table, 0)
+    table.rows["asleep"], table.rows["still_time"], table.rows["relation"], table.rows["stray"] = 1, 3.0, 5, 1
+    assert ball.asleep
+    twin = copy.copy(ball)
+    ball._leave()
+    for lone in (ball, twin):
+        assert not lone.asleep
+        assert bits(lone) == bits(Ball((0, 0), 1))
+
+
+@each_member
+def test_an_object_for_a_row_that_is_there_already(member: Member) -> None:
+    table, home = Table(np.array([member._row])), Home()
+    kind = Ball if isinstance(member, Ball) else SHAPE_CLASSES[int(table.rows[0]["kind"])]
+    assert type(member) is kind
+    view = kind._of_row(home, table, 5, 0)
+    assert (bits(view), view.id, view.world, view.name, view.user) == (bits(member), 5, home, None, None)
+    assert getattr(view, "compound", None) is None
+    view.elasticity = 0.0
+    assert table.rows[0]["elasticity"] == 0.0
+
+
+def test_every_kind_has_its_class() -> None:
+    assert [KIND_NAMES[kind] for kind in SHAPE_CLASSES] == ["point", "segment", "gate", "circle", "arc"]
+    assert [kind.__name__.lower() for kind in SHAPE_CLASSES.values()] == list(KIND_NAMES[:5])
+
+
+@each_member
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda member: pickle.loads(pickle.dumps(member))])
+def test_copies_are_lone_and_their_own(member: Member, copied: Any) -> None:
+    member.user = ["mine"]
+    twin = copied(member)
+    assert type(twin) is type(member)
+    assert (bits(twin), twin.name, twin.user) == (bits(member), member.name, member.user)
+    twin.position = (50, 60)
+    assert bits(twin) != bits(member)
+
+
+def test_a_copy_of_what_is_in_a_world_is_lone() -> None:
+    ball, home = Ball((0, 0), 1), Home()
+    ball._enter(home, Table(np.zeros(1, BALL)), 0)
+    assert copy.deepcopy(ball).world is None
+    assert copy.copy(ball).id is None
+
+
+class Bumper(Circle):
+    """A user's own kind of circle."""
+
+    def __init__(self, *args: Any, points: int = 100, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.points = points
+
+
+def test_a_users_own_class_keeps_what_it_adds() -> None:
+    bumper = Bumper((0, 0), 1, points=500, kick=3)
+    assert (bumper.kick, bumper.kind) == (3.0, "circle")
+    for twin in (copy.copy(bumper), pickle.loads(pickle.dumps(bumper))):
+        assert (type(twin), twin.points, twin.kick) == (Bumper, 500, 3.0)
+    assert {"points", "kick", "elasticity"} <= set(inspect.signature(Bumper).parameters)
+
+
+@pytest.mark.parametrize("kind", SHAPE_CLASSES.values())
+def test_signatures_show_the_options_of_every_shape(kind: type[Shape]) -> None:
+    parameters = inspect.signature(kind).parameters
+    common = list(inspect.signature(Point).parameters)[1:]
+    assert list(parameters)[-len(common) :] == common
+    assert len(common) == 14
+    assert all(parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in common)
+
+
+@each_member
+def test_a_member_can_be_held_weakly(member: Member) -> None:
+    twin = copy.copy(member)
+    reference = weakref.ref(twin)
+    assert reference() is twin
+    del twin
+    gc.collect()
+    assert reference() is None
+
+
+def test_all_that_comes_back_is_plain() -> None:
+    for member in MEMBERS:
+        for name in dir(type(member)):
+            if name.startswith("_") or not isinstance(inspect.getattr_static(type(member), name), property):
+                continue
+            value = getattr(member, name)
+            for part in value if isinstance(value, tuple) else (value,):
+                assert not isinstance(part, np.generic), (member, name)
+
+
+def test_names_are_texts() -> None:
+    point = Point((0, 0), name="a")
+    point.name = None
+    assert point.name is None

@@ -1,0 +1,39 @@
+"""What `import carom` gives, and what it does not load."""
+
+import subprocess
+import sys
+
+import pytest
+
+import carom
+
+SLOW = ("numba", "pydantic", "pygame", "pyarrow", "typer", "rich")
+
+
+def test_importing_carom_loads_no_slow_module() -> None:
+    program = f"import sys, carom; carom.Segment, carom.guard_points; print([m for m in {SLOW} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_every_public_name_exists() -> None:
+    assert sorted(carom.__all__) == list(carom.__all__)
+    for name in carom.__all__:
+        assert getattr(carom, name) is not None
+        assert name in dir(carom)
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'carom' has no attribute 'Sphere'"):
+        _ = carom.Sphere
+
+
+def test_bad_input_is_a_value_error_and_a_carom_error() -> None:
+    for error in (carom.InvalidArgument, carom.SceneError, carom.SnapshotError, carom.NonFiniteState):
+        assert issubclass(error, ValueError)
+        assert issubclass(error, carom.CaromError)
+
+
+def test_what_is_public_says_what_it_is() -> None:
+    for name in carom.__all__:
+        assert getattr(carom, name).__doc__, name
