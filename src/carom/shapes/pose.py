@@ -148,9 +148,10 @@ def _turn(shape: Row, c: float, s: float) -> None:
         x, y = rotated(float(shape["initial_bx"]) - from_x, float(shape["initial_by"]) - from_y, c, s)
         shape["bx"] = to_x + x
         shape["by"] = to_y + y
-        x, y = rotated(float(shape["initial_dx"]), float(shape["initial_dy"]), c, s)
-        shape["dx"] = x
-        shape["dy"] = y
+        if shape["kind"] == GATE:
+            x, y = rotated(float(shape["initial_dx"]), float(shape["initial_dy"]), c, s)
+            shape["dx"] = x
+            shape["dy"] = y
     else:
         x, y = rotated(float(shape["initial_cx"]) - from_x, float(shape["initial_cy"]) - from_y, c, s)
         shape["cx"] = to_x + x
