@@ -26,11 +26,14 @@ def check_outputs(paths: Sequence[Path], endings: Sequence[str], scene: Path | N
         if scene is not None and target == scene.resolve():
             raise Mistake(f"{path}: is the scene itself, and would be overwritten")
         seen.append(target)
-        _check_place(path, target)
+        try:
+            _check_place(path, target)
+        except OSError as error:
+            raise Mistake(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def _check_place(path: Path, target: Path) -> None:
-    """Nothing; raises `Mistake` unless a file can be made at `target`; the one way to know is to make one beside it."""
+    """Nothing; raises unless a file can be made at `target`, and the one way to know is to make one beside it."""
     if target.is_dir():
         raise Mistake(f"{path}: is a folder")
     if not target.parent.is_dir():
@@ -38,10 +41,7 @@ def _check_place(path: Path, target: Path) -> None:
     if target.exists() and not os.access(target, os.W_OK):
         raise Mistake(f"{path}: cannot be written: it is read-only")
     beside = _beside(target)
-    try:
-        beside.touch()
-    except OSError as error:
-        raise Mistake(f"{path}: cannot be written: {error.strerror}") from None
+    beside.touch()
     beside.unlink()
 
 

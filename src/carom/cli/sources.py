@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -40,8 +41,10 @@ def shipped() -> tuple[Source, ...]:
 
 
 def about(make: Callable[..., Scene]) -> str:
-    """The first line of a function's docstring, without marks of code."""
-    return (inspect.getdoc(make) or "").partition("\n")[0].replace("`", "")
+    """The first line that is said of a shipped scene: by its module, if that has its name, else by its function."""
+    module = sys.modules[make.__module__]
+    teller = module if module.__name__.endswith(f".{make.__name__}") else make
+    return (inspect.getdoc(teller) or "").partition("\n")[0]
 
 
 def find(text: str) -> Source:
@@ -50,10 +53,14 @@ def find(text: str) -> Source:
     if text in by_name:
         return by_name[text]
     path = Path(text)
-    if path.is_file():
+    try:
+        is_file, is_folder = path.is_file(), path.is_dir()
+    except OSError as error:
+        raise Mistake(f"{text}: cannot be read: {error.strerror}") from None
+    if is_file:
         scene = Scene.load(path)
         return Source(scene.name or path.stem, "", path, lambda: scene)
-    if path.is_dir():
+    if is_folder:
         raise Mistake(f"{text}: is a folder, not a scene file")
     near = get_close_matches(text, by_name, n=1)
     hint = f"did you mean {near[0]}?" if near else f"shipped are {', '.join(by_name)}"

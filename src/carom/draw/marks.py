@@ -24,7 +24,7 @@ ARROW_HALF, ARROW_HEAD, ARROW_SHAFT, PIVOT_RING = 4.5, 7.0, 9.0, 3.2
 #: Pixels: the dots of the weakest and of the strongest hits, in how many sizes.
 SMALLEST_HIT, LARGEST_HIT, HIT_SIZES = 1.2, 4.8, 6
 #: Pixels: the width of a track. Opacity of its youngest and of its oldest band.
-TRACK_WIDTH, YOUNGEST, OLDEST = 1.5, 0.9, 0.07
+TRACK_WIDTH, YOUNGEST, OLDEST = 1.5, 0.9, 0.1
 
 
 def shape_mark(painter: Painter, frame: Frame, shape: Shape, look: Look, weight: float) -> None:

@@ -78,10 +78,10 @@ class Picture:
         self._draw_tracks(painter)
         painter.layer("shapes")
         self._draw_shapes(painter)
-        painter.layer("balls")
-        self._draw_balls(painter)
         painter.layer("hits")
         self._draw_hits(painter)
+        painter.layer("balls")
+        self._draw_balls(painter)
         painter.layer("panel")
         self.panel.draw(painter, self.frame, MARGIN)
 

@@ -81,7 +81,8 @@ class SvgPainter:
 
     def polyline(self, points: Points, style: Style) -> None:
         """Draw a line through points, closed where it is filled."""
-        self._use(style)
+        # Round ends would make beads where the parts of a translucent track meet.
+        self._use(style, ' stroke-linecap="butt"' if style.opacity < 1.0 else "")
         places = " ".join(self._place(float(x), float(y)) for x, y in points)
         tag = "polyline" if style.fill is None else "polygon"
         self._parts.append(f'<{tag} points="{places}"/>')
@@ -133,9 +134,9 @@ class SvgPainter:
         self._classes[name] = (part, ink)
         return name
 
-    def _use(self, style: Style) -> None:
-        """Open a group with the look of `style`, unless the last mark had the same one."""
-        attributes = self._attributes(style)
+    def _use(self, style: Style, more: str = "") -> None:
+        """Open a group with the look of `style` and `more` attributes, unless the last mark had the same."""
+        attributes = self._attributes(style) + more
         if attributes != self._style:
             self._close_style()
             self._parts.append(f"<g {attributes}>")

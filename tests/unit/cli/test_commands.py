@@ -116,7 +116,8 @@ def test_a_shipped_scene_runs_by_its_name(here: Path, capsys: pytest.CaptureFixt
         (("show", "good.toml", "--out", "run.csv"), "its ending must be one of .svg"),
         (("show", "missing"), "no such file"),
         (("check", "missing"), "no such file"),
-        (("check", "notes.txt"), "no such file"),
+        (("check", "n" * 300), "File name too long"),
+        (("run", "good.toml", "--out", "n" * 300 + ".svg"), "File name too long"),
     ],
 )
 def test_a_mistake_is_told_in_one_line_before_anything_runs(

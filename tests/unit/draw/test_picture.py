@@ -13,7 +13,8 @@ from carom.draw.legend import seconds
 from carom.draw.looks import BUMPER, GATE, GUARD, MOVING, OFF, POST, SENSOR, WALL, Look, look_of
 
 SVG = "{http://www.w3.org/2000/svg}"
-LAYERS = ["ground", "tracks", "shapes", "balls", "hits", "panel"]
+PICTURES = Path(__file__).parents[3] / "docs" / "pictures"
+LAYERS = ["ground", "tracks", "shapes", "hits", "balls", "panel"]
 
 
 def world_of(*members: object) -> carom.World:
@@ -210,6 +211,12 @@ def test_another_painter_gets_the_same_marks() -> None:
     draw.picture_of(carom.scenes.toy().build(), "toy").draw(counter)
     assert counter.calls["layer"] == len(LAYERS)
     assert {"segment", "circle", "arc", "polyline", "text"} <= counter.calls.keys()
+
+
+@pytest.mark.parametrize("path", sorted(PICTURES.glob("*.svg")), ids=lambda path: path.name)
+def test_the_pictures_of_the_docs_are_whole_and_small(path: Path) -> None:
+    assert ElementTree.parse(path).getroot().tag == f"{SVG}svg"
+    assert path.stat().st_size < 400_000
 
 
 @pytest.mark.parametrize(("time", "text"), [(10.0, "10"), (0.125, "0.12"), (1234.5, "1,234.5"), (0.0, "0")])
