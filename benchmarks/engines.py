@@ -1,6 +1,7 @@
 """The engines, each made from a `Setup` and stepped: carom, and the peers that are installed."""
 
 import importlib.util
+from collections.abc import Callable
 from math import inf, sqrt
 from typing import Any, Protocol
 
@@ -13,7 +14,7 @@ from benchmarks.setup import Floats, Setup
 class Engine(Protocol):
     """A world that holds a setup's balls and shapes."""
 
-    def step(self) -> object:
+    def step(self) -> None:
         """Move everything by the setup's time step."""
 
     def state(self) -> tuple[Floats, Floats]:
@@ -39,9 +40,9 @@ class Carom:
         self.first = self.world.balls[0]
         self.time_step = setup.time_step
 
-    def step(self) -> object:
-        """The hits of one step."""
-        return self.world.step(self.time_step)
+    def step(self) -> None:
+        """One step; its hits are not looked at."""
+        self.world.step(self.time_step)
 
     def state(self) -> tuple[Floats, Floats]:
         """Copies of the world's arrays."""
@@ -78,9 +79,9 @@ class Pymunk:
         self.space.add(*self.bodies, *shapes)
         self.time_step = setup.time_step
 
-    def step(self) -> object:
-        """Nothing."""
-        return self.space.step(self.time_step)
+    def step(self) -> None:
+        """One step."""
+        self.space.step(self.time_step)
 
     def state(self) -> tuple[Floats, Floats]:
         """Read body by body."""
@@ -116,9 +117,9 @@ class Box2d:
             self.bodies.append(body)
         self.time_step = setup.time_step
 
-    def step(self) -> object:
-        """Nothing."""
-        return self.world.step(self.time_step, 1)
+    def step(self) -> None:
+        """One step."""
+        self.world.step(self.time_step, 1)
 
     def state(self) -> tuple[Floats, Floats]:
         """Read body by body."""
@@ -131,9 +132,9 @@ class Box2d:
         return position.x, position.y
 
 
-def engines() -> dict[str, type[Engine]]:
+def engines() -> dict[str, Callable[[Setup], Engine]]:
     """The engines that can be run here, carom first."""
-    found: dict[str, type[Engine]] = {"carom": Carom}
+    found: dict[str, Callable[[Setup], Engine]] = {"carom": Carom}
     if importlib.util.find_spec("pymunk"):
         found["pymunk"] = Pymunk
     if importlib.util.find_spec("pyb2d3"):

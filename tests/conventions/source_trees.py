@@ -33,15 +33,8 @@ def python_files() -> list[Path]:
 def kernel_files() -> list[Path]:
     """The files whose functions are compiled, as the compiler's door lists them."""
     for node in tree(COMPILER_DOOR).body:
-        target = (
-            node.target
-            if isinstance(node, ast.AnnAssign)
-            else node.targets[0]
-            if isinstance(node, ast.Assign)
-            else None
-        )
-        if isinstance(target, ast.Name) and target.id == "KERNEL_MODULES":
-            names: tuple[str, ...] = ast.literal_eval(node.value)  # type: ignore[union-attr, arg-type]
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "KERNEL_MODULES":
+            names: tuple[str, ...] = ast.literal_eval(node.value)
             return [SOURCE.joinpath(*name.split(".")).with_suffix(".py") for name in names]
     raise LookupError(f"no KERNEL_MODULES in {COMPILER_DOOR}")
 

@@ -57,7 +57,7 @@ def refusals(module: ast.Module) -> list[str]:
         for inner in ast.walk(outer)
         if inner is not outer and isinstance(inner, ast.FunctionDef)
     ]
-    return [f"line {node.lineno}: {text}" for node, text in found]
+    return [f"line {getattr(node, 'lineno', '?')}: {text}" for node, text in found]
 
 
 def _faults(node: ast.AST) -> Iterator[str]:
