@@ -28,15 +28,14 @@ SceneName = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file, o
 Theme = Annotated[ThemeName, typer.Option(help="Colours of a picture; auto follows the reader's own setting.")]
 
 
-def main(arguments: list[str] | None = None) -> NoReturn:
-    """Nothing; runs the command line (of this process, or `arguments`) and exits with its status."""
+def main(arguments: list[str] | None = None) -> None:
+    """Nothing; runs the command line (of this process, or `arguments`) and raises `SystemExit` with its status."""
     try:
         app(arguments, prog_name="carom")
     except (Mistake, SceneError) as error:
         fail(error, 2)
     except (CaromError, OSError) as error:
         fail(error, 1)
-    sys.exit(0)
 
 
 def fail(error: Exception, status: int) -> NoReturn:

@@ -130,6 +130,26 @@ def test_many_balls_are_one_colour_but_for_those_followed_and_the_picture_says_s
     assert any("Tracks of 16 of 40 balls" in line for line in words(moved))
 
 
+def test_balls_of_less_than_two_pixels_have_no_rim() -> None:
+    world = world_of(carom.Circle((0, 0), 1000), carom.Ball((0, 0), 0.5), carom.Ball((9, 0), 50))
+    groups = list(layer(drawn(world), "balls"))
+    assert [("stroke-width" in group.attrib) for group in groups] == [False, True]
+
+
+def test_strays_are_counted() -> None:
+    world = carom.World(bounds=carom.Aabb(-1, -1, 1, 1))
+    world.add(carom.Ball((0, 0), 0.1, velocity=(90, 0)))
+    assert words(drawn(world, run(world, 10)))[7:9] == ["strays", "1"]
+
+
+def test_a_picture_says_when_it_does_not_show_all_hits() -> None:
+    world = world_of(carom.Circle((0, 0), 3))
+    trace = draw.Trace(world)
+    trace.bounces = 10_000
+    lines = " ".join(words(drawn(world, trace)))
+    assert "Of the hits, the 1,500 strongest are shown." in lines
+
+
 def test_what_left_the_stage_is_not_drawn_and_does_not_shrink_the_rest() -> None:
     world = world_of(carom.Circle((0, 0), 3), carom.Ball((1e6, 0), 1))
     picture = draw.picture_of(world, "name")
