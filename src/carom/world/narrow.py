@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import cos, fabs, sin
 
 from carom.constants import END_DEPTH_DISCRETE
 from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
-from carom.geometry.vector import dot, length, rotated
+from carom.geometry.vector import cross, dot, larger, length, rotated
 from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
 from carom.world.layout import ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
-from carom.world.motion import wake
+from carom.world.motion import rouse, wake
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, find_relation
 
@@ -29,9 +29,7 @@ def may_collide(first: Row, second: Row) -> bool:
 
 def boxes_apart(ball: Row, shape: Row) -> bool:
     """True if the boxes of a ball and a shape do not even touch."""
-    x = ball["x"]
-    y = ball["y"]
-    radius = ball["radius"]
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     return bool(
         x + radius < shape["left"]
         or x - radius > shape["right"]
@@ -51,12 +49,46 @@ def in_reach(shape: Row, x: float, y: float) -> bool:
 
 
 def seen_from(shape: Row, x: float, y: float) -> tuple[float, float]:
-    """Where (x, y), a place before the substep, lies as seen from a shape that has moved since."""
-    if shape["motion"] != KINEMATIC:
-        return x, y
+    """Where (x, y), a place before the substep, lies as seen from a shape that may have moved since; exact if not."""
     turn = float(shape["orientation"]) - float(shape["orientation_before"])
-    dx, dy = rotated(x - float(shape["pivot_before_x"]), y - float(shape["pivot_before_y"]), cos(turn), sin(turn))
-    return float(shape["pivot_x"]) + dx, float(shape["pivot_y"]) + dy
+    from_x, from_y = float(shape["pivot_before_x"]), float(shape["pivot_before_y"])
+    to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
+    if shape["motion"] != KINEMATIC or (turn == 0.0 and from_x == to_x and from_y == to_y):
+        return x, y
+    dx, dy = rotated(x - from_x, y - from_y, cos(turn), sin(turn))
+    return to_x + dx, to_y + dy
+
+
+def depth_at_entry(shape: Row, radius: float, from_x: float, from_y: float, to_x: float, to_y: float) -> float:
+    """How deep a ball overlapped a segment's line or an arc's circle when its centre came into the slab or sector.
+
+    `from` is outside of that, `to` in it, and the way straight. Below 0 where the ball was clear of the shape: it came
+    in beside it, and met it within.
+    """
+    ax, ay = float(shape["ax"]), float(shape["ay"])
+    if shape["kind"] == ARC:
+        cx, cy = float(shape["cx"]), float(shape["cy"])
+        x0, y0, x1, y1 = from_x - cx, from_y - cy, to_x - cx, to_y - cy
+        start = crossing_share(ax - cx, ay - cy, x0, y0, x1, y1)
+        end = crossing_share(float(shape["bx"]) - cx, float(shape["by"]) - cy, x0, y0, x1, y1)
+        share = larger(start, end)
+        return radius - fabs(length(x0 + share * (x1 - x0), y0 + share * (y1 - y0)) - float(shape["radius"]))
+    tx, ty = float(shape["tx"]), float(shape["ty"])
+    along = dot(from_x - ax, from_y - ay, tx, ty)
+    way = dot(to_x - from_x, to_y - from_y, tx, ty)
+    edge = 0.0 if along < 0.0 else float(shape["length"])
+    share = (edge - along) / way if fabs(edge - along) < fabs(way) else 1.0
+    side = cross(tx, ty, from_x - ax, from_y - ay)
+    return radius - fabs(side + share * cross(tx, ty, to_x - from_x, to_y - from_y))
+
+
+def crossing_share(ax: float, ay: float, x0: float, y0: float, x1: float, y1: float) -> float:
+    """The share of the way from (x0, y0) to (x1, y1) at which it crosses the ray along a; 0 where it does not."""
+    before, after = cross(ax, ay, x0, y0), cross(ax, ay, x1, y1)
+    if (before > 0.0) == (after > 0.0):
+        return 0.0
+    share = before / (before - after)
+    return share if dot(ax, ay, x0 + share * (x1 - x0), y0 + share * (y1 - y0)) >= 0.0 else 0.0
 
 
 def starts_passing(
@@ -65,18 +97,23 @@ def starts_passing(
     """True if a ball that overlaps a shape passes it from now on (1.12, 1.13).
 
     `from` and `to` are the ball's place before and after its own move in this substep; `moved` is False in later
-    iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it.
+    iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it. Nor does one that
+    was clear of the shape when its centre came into the slab or sector: a ball that falls fast onto a joint has done
+    nothing else.
     """
     kind = shape["kind"]
-    if kind == GATE:
-        if moved:
-            x, y = seen_from(shape, from_x, from_y)
-            return gate_opens(shape, x, y)
-        return gate_opens(shape, float(ball["x"]), float(ball["y"]))
-    if not moved or (kind != SEGMENT and kind != ARC) or setback <= END_DEPTH_DISCRETE * float(ball["radius"]):
+    if not moved:
+        return kind == GATE and gate_opens(shape, float(ball["x"]), float(ball["y"]))
+    if kind != SEGMENT and kind != GATE and kind != ARC:
         return False
     x, y = seen_from(shape, from_x, from_y)
-    return in_reach(shape, to_x, to_y) and not in_reach(shape, x, y)
+    if kind == GATE and gate_opens(shape, x, y):
+        return True
+    radius = float(ball["radius"])
+    least = END_DEPTH_DISCRETE * radius
+    if setback <= least or in_reach(shape, x, y) or not in_reach(shape, to_x, to_y):
+        return False
+    return depth_at_entry(shape, radius, x, y, to_x, to_y) > least
 
 
 def meet_shape(
@@ -95,8 +132,8 @@ def meet_shape(
     from_y: float,
     to_x: float,
     to_y: float,
-) -> None:
-    """Test a ball against a shape whose box it meets, and respond at once. There must be room for a hit and a relation.
+) -> bool:
+    """True if a ball whose box meets a shape's was moved out of it; responds. There must be room: a hit, a relation.
 
     `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`.
     """
@@ -105,23 +142,25 @@ def meet_shape(
     ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
     contact = find_contact(shape, x, y, radius, float(ball["vx"]) - ux, float(ball["vy"]) - uy)
     if contact is None:
-        return
+        return False
     px, py, nx, ny, setback = contact
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
             write_hit(state, hits, time, ENTER, int(ball["id"]), int(shape["id"]))
-        return
+        return False
     if find_relation(relations, ball, PASSING, shape_row):
-        return
+        return False
     if starts_passing(shape, ball, setback, moved, from_x, from_y, to_x, to_y):
         add_relation(state, relations, ball, ball_row, PASSING, shape_row)
-        return
+        return False
     ball["x"] = x + setback * nx
     ball["y"] = y + setback * ny
     mark["touched"] = BOTH_DUE
     state["found"] += 1
     bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback)
+    limit_speed(state, ball)
+    return True
 
 
 def bounce_off_shape(
@@ -158,7 +197,6 @@ def bounce_off_shape(
         new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, approach, kick)
     ball["vx"] = new_x
     ball["vy"] = new_y
-    limit_speed(state, ball)
     wake(state, ball)
     impulse = gain * float(ball["mass"])
     record_hit(state, hits, time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
@@ -170,9 +208,9 @@ def limit_speed(state: Row, ball: Row) -> None:
     if most < 0.0:
         return
     vx, vy = float(ball["vx"]), float(ball["vy"])
-    speed_squared = vx * vx + vy * vy
-    if speed_squared > most * most:
-        share = most / sqrt(speed_squared)
+    speed = length(vx, vy)
+    if speed > most:
+        share = most / speed
         ball["vx"] = vx * share
         ball["vy"] = vy * share
         state["slowed"] += 1
@@ -228,6 +266,12 @@ def meet_pair(
     saved[j]["touched"] = BOTH_DUE
     state["found"] += 1
     bounce_pair(state, first, second, hits, time, rest_speed, px, py, nx, ny, setback)
+    limit_speed(state, first)
+    limit_speed(state, second)
+    # What only rests on a sleeping ball does not wake it, but it is in the way of shapes now; `finish_substep` puts it
+    # back to sleep at once.
+    rouse(state, first)
+    rouse(state, second)
 
 
 def push_apart(first: Row, second: Row, nx: float, ny: float, setback: float) -> None:
@@ -278,8 +322,6 @@ def bounce_pair(
     second["vy"] = wy + (new2 - u2) * ny
     if resting:
         return
-    limit_speed(state, first)
-    limit_speed(state, second)
     wake(state, first)
     wake(state, second)
     impulse = second_mass * (new2 - u2)

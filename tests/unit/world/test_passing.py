@@ -1,0 +1,200 @@
+"""Passing: bare ends let balls by, joints do not, and a ball that was placed or pushed onto a shape is pushed out."""
+
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+
+from carom import Arc, Ball, Gate, Segment, World
+from carom.constants import END_DEPTH_DISCRETE
+from carom.shapes.pose import advance_pose
+from carom.world.layout import PASSING
+from carom.world.narrow import depth_at_entry, in_reach, seen_from
+from carom.world.relations import find_relation
+
+
+def is_passing(world: World, ball: Ball, shape: Segment | Arc) -> bool:
+    """Whether the world holds that a ball passes a shape."""
+    room = world._room
+    return find_relation(room.relations, ball._row, PASSING, room.shapes.index(shape))
+
+
+def test_a_ball_that_comes_round_a_bare_end_passes_it_and_meets_nothing() -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0)))
+    ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
+    hits = world.run(12, dt=0.1)
+    assert len(hits) == 0
+    assert ball.velocity == (1, 0)
+    assert ball.position == (pytest.approx(11), 0.5)
+    assert not is_passing(world, ball, wall)
+
+
+def test_a_passing_ball_may_leave_on_either_side_and_turn_back() -> None:
+    for turn in ((0.0, 1.0), (0.0, -1.0), (-1.0, 0.0)):
+        world = World(substeps=1)
+        wall = world.add(Segment((0, 0), (10, 0)))
+        ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
+        world.run(3, dt=0.1)
+        assert is_passing(world, ball, wall)
+        ball.velocity = turn
+        assert len(world.run(4, dt=0.1)) == 0
+        assert ball.velocity == turn
+        assert not is_passing(world, ball, wall)
+
+
+def test_a_ball_that_has_passed_meets_the_segment_again() -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0)))
+    ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
+    world.run(3, dt=0.1)
+    ball.velocity = (0, 1)
+    world.run(1, dt=0.1)
+    ball.velocity = (0, -1)
+    hits = world.run(1, dt=0.1)
+    assert [hit.shape for hit in hits] == [wall]
+
+
+def test_a_ball_that_overlaps_a_bare_end_a_little_is_pushed_out() -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0)))
+    ball = world.add(Ball((-0.05, 0.8), radius=1, velocity=(1, 0)))
+    world.step(0.1)
+    assert not is_passing(world, ball, wall)
+    assert ball.position == (pytest.approx(0.05), 1.0)
+
+
+def test_passing_begins_beyond_a_quarter_of_the_radius() -> None:
+    for share, passes in ((0.999, False), (1.001, True)):
+        world = World(substeps=1)
+        wall = world.add(Segment((0, 0), (10, 0)))
+        ball = world.add(Ball((-0.05, 2 - 2 * share * END_DEPTH_DISCRETE), radius=2, velocity=(1, 0)))
+        world.step(0.1)
+        assert is_passing(world, ball, wall) is passes
+
+
+@pytest.mark.parametrize("start", [(3, 0.1), (0.01, 0.1), (9.99, -0.1)])
+def test_a_ball_that_was_placed_onto_a_segment_is_pushed_out(start: tuple[float, float]) -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0)))
+    ball = world.add(Ball(start, radius=1))
+    world.step(0.1)
+    assert not is_passing(world, ball, wall)
+    assert abs(ball.position[1]) == pytest.approx(1)
+
+
+def test_a_ball_that_was_pushed_onto_a_segment_is_pushed_out() -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0)))
+    ball = world.add(Ball((-0.1, 0.5), radius=1))
+    world.add(Ball((-1.5, 0.5), radius=1, mass=1e9))
+    world.step(0.1)
+    assert not is_passing(world, ball, wall)
+    assert ball.position[0] > 0
+    assert ball.position[1] == pytest.approx(1)
+
+
+def test_an_arc_is_passed_round_its_bare_end() -> None:
+    world = World(substeps=1)
+    bowl = world.add(Arc((0, 0), 5, pi, 2 * pi))
+    ball = world.add(Ball((-5.3, 1), radius=1, velocity=(0, -1)))
+    assert len(world.run(2, dt=0.05)) == 0
+    assert is_passing(world, ball, bowl)
+    assert ball.velocity == (0, -1)
+
+
+@pytest.mark.parametrize("speed", [1, 30, 100])
+def test_a_ball_that_falls_onto_a_joint_bounces_however_fast(speed: float) -> None:
+    whole, cut = World(substeps=1), World(substeps=1)
+    whole.add(Segment((-5, 0), (5, 0)))
+    cut.add(Segment((-5, 0), (0, 0)))
+    cut.add(Segment((0, 0), (5, 0)))
+    for world in (whole, cut):
+        world.add(Ball((-0.003, 2), radius=1, velocity=(0.003 * speed, -speed)))
+        world.run(4 / speed, dt=1.8 / speed)
+    assert cut.balls[0].velocity == whole.balls[0].velocity == (0.003 * speed, speed)
+    assert cut.balls[0].position == whole.balls[0].position
+
+
+@pytest.mark.parametrize("inside", [True, False])
+def test_a_ball_that_falls_onto_a_joint_of_arcs_bounces(inside: bool) -> None:
+    world = World(substeps=1)
+    world.add(Arc((0, 0), 5, pi, 1.5 * pi))
+    world.add(Arc((0, 0), 5, 1.5 * pi, 2 * pi))
+    y, vy = (-3.5, -10) if inside else (-6.5, 10)
+    ball = world.add(Ball((-0.01, y), radius=1, velocity=(0.2, vy)))
+    hits = world.step(0.12)
+    assert len(hits) == 1
+    assert ball.velocity[1] == pytest.approx(-vy, rel=0.05)
+
+
+def test_a_moved_ball_is_seen_from_a_shape_at_rest_where_it_is() -> None:
+    hand = Segment((0.1, 0.7), (3.3, 1.9), motion="kinematic", pivot=(0.3, 0.1))
+    advance_pose(hand._row, 0.1)
+    places = np.random.default_rng(1).uniform(-9, 9, (200, 2))
+    assert [seen_from(hand._row, x, y) for x, y in places.tolist()] == [tuple(place) for place in places.tolist()]
+
+
+def test_a_place_that_turns_and_travels_with_a_shape_is_seen_where_it_comes_to() -> None:
+    hand = Segment((1, 0), (3, 0), motion="kinematic", pivot=(1, 0), angular_velocity=pi, velocity=(2, -4))
+    advance_pose(hand._row, 0.5)
+    assert seen_from(hand._row, 3.0, 0.0) == pytest.approx((2, 0))
+    assert hand._row["by"] == pytest.approx(0)
+
+
+def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
+    world = World(substeps=1)
+    paddle = world.add(Segment((0, 0), (10, 0), motion="kinematic", velocity=(-1, 0)))
+    ball = world.add(Ball((-1, 0.5), radius=1))
+    assert len(world.run(5, dt=0.1)) == 0
+    assert is_passing(world, ball, paddle)
+    assert ball.position == (-1, 0.5)
+
+
+def test_the_depth_at_entry_is_that_where_the_centre_crosses_an_edge() -> None:
+    wall = Segment((0, 0), (10, 0))._row
+    assert depth_at_entry(wall, 1.0, -1.0, 2.0, 1.0, 0.0) == pytest.approx(0)
+    assert depth_at_entry(wall, 1.0, -1.0, 0.5, 3.0, 0.5) == pytest.approx(0.5)
+    assert depth_at_entry(wall, 1.0, 12.0, 0.5, 8.0, -1.5) == pytest.approx(0.5)
+    arc = Arc((0, 0), 5, 0, pi / 2)._row
+    assert depth_at_entry(arc, 1.0, 4.5, -1.0, 4.5, 1.0) == pytest.approx(0.5)
+    assert depth_at_entry(arc, 1.0, -1.0, 6.5, 1.0, 4.5) == pytest.approx(0.5)
+    assert depth_at_entry(arc, 1.0, -1.0, -1.0, 1.0, 1.0) == pytest.approx(-4)
+
+
+def test_the_reach_of_an_arc_is_its_sector_and_that_of_a_segment_its_slab() -> None:
+    arc = Arc((1, 1), 5, pi / 4, 3 * pi / 4)._row
+    assert in_reach(arc, 1 + cos(pi / 4), 1 + sin(pi / 4))
+    assert in_reach(arc, 1.0, 90.0)
+    assert not in_reach(arc, 9.0, 2.0)
+    wall = Segment((0, 0), (0, 4))._row
+    assert in_reach(wall, 7.0, 4.0)
+    assert not in_reach(wall, 0.0, 4.0000001)
+
+
+def test_passing_pairs_are_state() -> None:
+    world = World(substeps=1)
+    world.add(Segment((0, 0), (10, 0)))
+    world.add(Ball((-1, 0.5), radius=1, velocity=(1, -0.02)))
+    world.run(3, dt=0.1)
+    twin = World()
+    twin.restore(world.snapshot())
+    assert len(twin.run(2, dt=0.1)) == len(world.run(2, dt=0.1)) == 0
+    assert twin.digest() == world.digest()
+
+
+def test_a_sensor_is_not_passed() -> None:
+    world = World(substeps=1)
+    wall = world.add(Segment((0, 0), (10, 0), sensor=True))
+    ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
+    world.run(3, dt=0.1)
+    assert not is_passing(world, ball, wall)
+
+
+def test_a_gate_is_passed_round_its_bare_end_on_its_closed_side_too() -> None:
+    world = World(substeps=1)
+    gate = world.add(Gate((0, 0), (10, 0), direction=(0, -1)))
+    ball = world.add(Ball((-1, -0.5), radius=1, velocity=(1, 0)))
+    assert len(world.run(4, dt=0.1)) == 0
+    assert is_passing(world, ball, gate)
+    assert ball.velocity == (1, 0)
