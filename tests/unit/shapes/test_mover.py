@@ -128,6 +128,10 @@ def test_turn_limits_hold_the_orientation_and_its_beginning() -> None:
     with pytest.raises(InvalidArgument, match=r"angle must be within turn_limits=\(0\.0, 1\.0\), not 1\.5"):
         hand.rotate((0, 0), 1.5)
     assert (hand.orientation, hand.turn_limits) == (0.8, (0.0, 1.0))
+    back = Segment((0, 0), (1, 0), motion="kinematic", turn_limits=(-1, 0))
+    back.rotate((0, 0), -0.8)
+    with pytest.raises(InvalidArgument, match="turn_limits must be"):
+        back.turn_limits = (-1, -0.2)
     hand.turn_limits = None
     hand.rotate((0, 0), 1.5)
     assert hand.orientation == 1.5

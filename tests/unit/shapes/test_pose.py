@@ -70,6 +70,15 @@ def test_the_substep_that_meets_the_stop_still_has_its_spin() -> None:
     assert (hand.orientation, hand.angular_velocity, hand._row["spin"]) == (1.0, 0.0, 5.0)
 
 
+@pytest.mark.parametrize("beyond", [0.0, 1e-12, 1e-4])
+def test_a_stop_is_met_however_little_a_turn_goes_beyond_it(beyond: float) -> None:
+    for sign in (1, -1):
+        spin = sign * (1 + beyond)
+        hand = Segment((0, 0), (2, 0), motion="kinematic", pivot=(0, 0), angular_velocity=spin, turn_limits=(-1, 1))
+        advance(hand, 1.0)
+        assert (hand.orientation, hand.angular_velocity) == (sign, 0.0)
+
+
 def test_back_from_a_stop_it_turns_again() -> None:
     hand = Segment((0, 0), (2, 0), motion="kinematic", pivot=(0, 0), angular_velocity=5, turn_limits=(0, 1))
     advance(hand, 1.0)

@@ -20,6 +20,12 @@ def test_p0_of_a_vertical_one_is_the_lower_end() -> None:
     assert (segment.p0, segment.t0, segment.normal) == ((2.0, 1.0), (0.0, 1.0), (-1.0, 0.0))
 
 
+def test_a_vertical_one_stays_in_order() -> None:
+    segment = Segment((2, 1), (2, 7))
+    segment.p0 = (2, 9)
+    assert (segment.p0, segment.p1, segment.t0) == ((2.0, 7.0), (2.0, 9.0), (0.0, 1.0))
+
+
 def test_tangents_point_into_it() -> None:
     segment = Segment((0, 0), (3, 4))
     assert (segment.length, segment.t0, segment.t1) == (5.0, (0.6, 0.8), (-0.6, -0.8))
