@@ -68,7 +68,7 @@ def _described_part(shape: Shape) -> Part:
 
 def _described_compound(compound: Compound) -> CompoundDescriptor:
     """The descriptor of a compound with all of its parts, each with its own surface."""
-    names = {"name", *MOTION_FIELDS} - {"motion"}
+    names = ("name", *MOTION_FIELDS[1:])  # that it is kinematic goes without saying
     parts = tuple(_described_part(part) for part in compound.shapes)
     return CompoundDescriptor(shapes=parts, **_fields(compound, names))
 

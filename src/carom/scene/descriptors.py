@@ -15,7 +15,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, field_valida
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS
 from carom.scene.faults import fault_below, refused_below
-from carom.scene.fields import Count, Few, Layers, Many, NonNegative, Positive, Sides, Vector, as_tuple
+from carom.scene.fields import Count, Few, Layers, Many, NonNegative, Positive, Sides, Text, Vector, as_tuple
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
 from carom.shapes.ball import Ball
@@ -74,7 +74,7 @@ class WorldDescriptor(Descriptor):
 class CollidingDescriptor(Descriptor):
     """What shapes and balls share."""
 
-    name: str | None = None
+    name: Text | None = None
     elasticity: NonNegative = 1.0
     sensor: bool = False
     can_collide: bool = True
@@ -192,8 +192,8 @@ class CompoundDescriptor(Descriptor):
     """Shapes that turn and move as one; what is set here of their surfaces is set on all of them."""
 
     kind: Literal["compound"] = "compound"
-    name: str | None = None
-    shapes: Annotated[tuple[Part, ...], BeforeValidator(as_tuple)] = Field(min_length=1)
+    name: Text | None = None
+    shapes: Annotated[tuple[Part, ...], BeforeValidator(as_tuple)]
     pivot: Vector
     orientation: float = 0.0
     angular_velocity: float = 0.0
@@ -212,8 +212,9 @@ class CompoundDescriptor(Descriptor):
     def _parts_do_not_move_alone(cls, parts: tuple[Part, ...]) -> tuple[Part, ...]:
         """The parts, none of which says how it moves: that is the compound's to say."""
         for place, part in enumerate(parts):
-            for name in MOTION_FIELDS & part.model_fields_set:
-                raise fault_below(f"[{place}].{name}", "is for the compound to set, not for its parts")
+            for name in MOTION_FIELDS:
+                if getattr(part, name) != type(part).model_fields[name].default:
+                    raise fault_below(f"[{place}].{name}", "is for the compound to set, not for its parts")
         return parts
 
     @model_validator(mode="after")
@@ -234,14 +235,17 @@ class CompoundDescriptor(Descriptor):
 
 
 #: What a part of a compound does not say for itself.
-MOTION_FIELDS = set(MovableDescriptor.model_fields) - set(CollidingDescriptor.model_fields) - {"kick"}
+MOTION_FIELDS = ("motion", "pivot", "orientation", "angular_velocity", "rotating", "turn_limits", "velocity")
+
+
+_FIRST = ("version", "kind", "name")
 
 
 def _rank(field: str) -> int:
-    """Where a field stands in a table: what it is, what it is called, where it is, and then what all shapes have."""
-    if field in {"kind", "name"}:
-        return ("kind", "name").index(field)
-    return 3 if field in MovableDescriptor.model_fields else 2
+    """Where a field stands in a table: version, kind and name, then what few have, and last what all shapes have."""
+    if field in _FIRST:
+        return _FIRST.index(field)
+    return len(_FIRST) + (field in MovableDescriptor.model_fields)
 
 
 def _plain(value: Any) -> Any:

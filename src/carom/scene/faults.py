@@ -26,7 +26,6 @@ _WORDS = {
     "int_from_float": "must be a whole number",
     "bool_type": "must be true or false",
     "string_type": "must be a string",
-    "string_unicode": "must be text that UTF-8 can hold",
     "tuple_type": "must be a list",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",

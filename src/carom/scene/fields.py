@@ -43,6 +43,17 @@ def _in_order(sides: tuple[float, float, float, float]) -> tuple[float, float, f
     return sides
 
 
+def _writable(text: str) -> str:
+    """`text`, unless UTF-8 has no bytes for it."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise PydanticCustomError(
+            "text", "must be text that UTF-8 can hold, not {value}", {"value": repr(text)}
+        ) from None
+    return text
+
+
 def as_tuple(value: Any) -> Any:
     """A list as a tuple; anything else as it is, for the field to judge."""
     return tuple(value) if isinstance(value, list) else value
@@ -50,6 +61,7 @@ def as_tuple(value: Any) -> Any:
 
 Positive = Annotated[float, Field(gt=0.0)]
 NonNegative = Annotated[float, Field(ge=0.0)]
+Text = Annotated[str, AfterValidator(_writable)]
 Few = Annotated[int, Field(ge=1, le=16)]
 Many = Annotated[int, Field(ge=1, le=1_000_000)]
 Count = Annotated[int, Field(ge=1, le=2**31 - 1)]

@@ -9,6 +9,7 @@ import tomllib
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+from secrets import token_hex
 from typing import Any, TypeAlias
 
 import tomli_w
@@ -35,7 +36,7 @@ def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
     _, write = _form_of(path)
     data = write(table).encode("utf-8")
     target = Path(os.path.realpath(path))
-    beside = target.with_name(f".{target.name}.{os.getpid()}.part")
+    beside = target.with_name(f".{target.name}.{token_hex(8)}.part")
     try:
         with beside.open("xb") as file:
             file.write(data)
@@ -49,8 +50,10 @@ def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
             beside.unlink()
 
 
-def _form_of(path: str | os.PathLike[str]) -> tuple[Callable[[str], Plain], Callable[[Plain], str]]:
+def _form_of(path: Any) -> tuple[Callable[[str], Plain], Callable[[Plain], str]]:
     """How files with this path's ending are read and written."""
+    if not isinstance(path, (str, os.PathLike)) or "\0" in os.fspath(path):
+        raise SceneError(f"path must be a file's name, not {path!r}")
     ending = Path(path).suffix.lower()
     if ending not in _FORMS:
         known = " or ".join(_FORMS)
@@ -66,8 +69,6 @@ def _text_of(path: str | os.PathLike[str]) -> str:
         raise SceneError(f"{os.fspath(path)}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
         raise SceneError(f"{os.fspath(path)}: is not UTF-8: {error.reason} (at byte {error.start})") from None
-    except ValueError as error:
-        raise SceneError(f"{os.fspath(path)!r}: is no file's name: {error}") from None
 
 
 def _from_json(text: str) -> Plain:

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, ValidationError
 
+from carom.checks import refuse
 from carom.errors import InvalidArgument, SceneError
 from carom.scene.capture import described_all, described_world
 from carom.scene.descriptors import BallDescriptor, CompoundDescriptor, Descriptor, Part, WorldDescriptor
 from carom.scene.faults import faults_of, scene_error
+from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.scene.guarding import guarded
 
@@ -34,7 +36,7 @@ class Scene(Descriptor):
     """
 
     version: Literal[1]
-    name: str | None = None
+    name: Text | None = None
     guard: bool = False
     world: WorldDescriptor = WorldDescriptor()
     shapes: ShapeList = ()
@@ -86,9 +88,17 @@ class Scene(Descriptor):
     @classmethod
     def from_world(cls, world: World) -> Self:
         """A scene of `world` as it stands now: settings, shapes and balls, without time, ids, passing and sleep."""
+        from carom.world.world import World
+
+        if not isinstance(world, World):
+            raise refuse("world", "must be a World", world)
         return cls(world=described_world(world), shapes=list(world.shapes), balls=list(world.balls))
 
     @classmethod
     def json_schema(cls) -> Plain:
         """The JSON Schema of scene files, for editors that complete and check them."""
-        return {"$schema": "https://json-schema.org/draft/2020-12/schema", **cls.model_json_schema()}
+        schema = cls.model_json_schema()
+        for definition in schema["$defs"].values():
+            if "kind" in definition["properties"]:
+                definition["required"].insert(0, "kind")  # a file must say it, whatever its default is in Python
+        return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

@@ -28,6 +28,6 @@ def by_name(name: str) -> Scene:
     if name in __all__:
         scene: Scene = globals()[name]()
         return scene
-    near = get_close_matches(name, __all__, n=1)
+    near = get_close_matches(str(name), __all__, n=1)
     hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(__all__)}"
     raise SceneError(f"no shipped scene is called {name!r}; {hint}")

@@ -38,6 +38,7 @@ def gas(balls: int = 10_000, seed: int = 0) -> Scene:
     return Scene(
         name="gas",
         world=WorldDescriptor(bounds=(-1.0, -1.0, side + 1.0, side + 1.0)),
+        guard=True,
         shapes=walls(corners, name="wall"),
         balls=discs,
     )

@@ -27,7 +27,7 @@ WIDTH, HEIGHT = 20.0, 42.0
 DOME = ((10.0, 32.0), 10.0)
 LANE = 18.6  # x of the wall between field and plunger lane
 MIDDLE = LANE / 2.0  # of the field
-GUTTER = 1.75  # width of outlanes and inlanes
+OUTLANE, INLANE = 1.6, 1.9  # their widths
 BALL_RADIUS = 0.6
 
 FLIPPER_BASE = ((MIDDLE - 4.25, 8.6), 0.6)
@@ -85,7 +85,7 @@ def _cabinet() -> list[Any]:
 def _top() -> list[Any]:
     """The orbit gate on the dome, the orbits' inner guides, and the three lanes with their rollovers."""
     center, radius = DOME
-    stop = radians(118.0)
+    stop = radians(124.0)
     guides = {"center": center, **WOOD}
     parts: list[Any] = [
         GateDescriptor(
@@ -102,9 +102,9 @@ def _top() -> list[Any]:
         SegmentDescriptor(start=(0.3, 30.0), end=(1.8, 30.0), name="left orbit", **SENSOR),
         SegmentDescriptor(start=(16.8, 29.0), end=(18.3, 29.0), name="right orbit", **SENSOR),
     ]
-    for x in (7.0, 9.0, 11.0, 13.0):
+    for x in (6.3, 8.3, 10.3, 12.3):
         parts += band([((x, 33.8), 0.25), ((x, 36.2), 0.25)], name="lane guide", **RUBBER)
-    for x, name in ((8.0, "left lane"), (10.0, "middle lane"), (12.0, "right lane")):
+    for x, name in ((7.3, "left lane"), (9.3, "middle lane"), (11.3, "right lane")):
         parts.append(SegmentDescriptor(start=(x - 0.65, 35.0), end=(x + 0.65, 35.0), name=name, **SENSOR))
     return parts
 
@@ -179,8 +179,8 @@ def _on_guide(x: float, above: float) -> Vector:
 def _inlane() -> list[Any]:
     """The wall between outlane and inlane, which bends into the line of the flipper's upper edge; its post on top."""
     touch, _ = _top_edge()
-    top = (GUTTER, 15.2)
-    corners = [(top, 0.0), (_on_guide(GUTTER, 0.0), 1.4), (touch, 0.0)]
+    top = (OUTLANE, 15.2)
+    corners = [(top, 0.0), (_on_guide(OUTLANE, 0.0), 1.4), (touch, 0.0)]
     return [
         *rounded(corners, name="left inlane guide", **WOOD),
         CircleDescriptor(center=top, radius=0.25, solid=True, name="left outlane post", **RUBBER),
@@ -190,9 +190,9 @@ def _inlane() -> list[Any]:
 def _slingshot() -> list[Any]:
     """A band round three posts, the long side of which kicks."""
     radius = 0.35
-    x = 2.0 * GUTTER + radius
-    lower = _on_guide(x, GUTTER + radius)
-    inner = _on_guide(x + 2.5, GUTTER + radius)
+    x = OUTLANE + INLANE + radius
+    lower = _on_guide(x, INLANE + radius)
+    inner = _on_guide(x + 2.5, INLANE + radius)
     parts = band([(lower, radius), (inner, radius), ((x, 17.0), radius)], name="left slingshot", **RUBBER)
     parts[2] = parts[2].model_copy(update={"kick": 14.0, "name": "left slingshot's band"})
     return parts
@@ -202,6 +202,6 @@ def _gutter_sensors() -> list[Any]:
     """The rollovers of outlane and inlane."""
     y = 13.4
     return [
-        SegmentDescriptor(start=(0.25, y), end=(GUTTER - 0.25, y), name="left outlane", **SENSOR),
-        SegmentDescriptor(start=(GUTTER + 0.25, y), end=(2.0 * GUTTER - 0.25, y), name="left inlane", **SENSOR),
+        SegmentDescriptor(start=(0.25, y), end=(OUTLANE - 0.25, y), name="left outlane", **SENSOR),
+        SegmentDescriptor(start=(OUTLANE + 0.25, y), end=(OUTLANE + INLANE - 0.25, y), name="left inlane", **SENSOR),
     ]

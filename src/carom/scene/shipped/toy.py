@@ -28,7 +28,7 @@ LANE = 30.6  # x of the wall between room and launch lane
 CORNER = ((28.0, 20.0), 4.0)
 POCKET = ((5.0, 19.0), 3.5)
 
-WALL: dict[str, Any] = {"elasticity": 0.95}
+WALL: dict[str, Any] = {"elasticity": 0.97}
 
 
 def toy() -> Scene:
@@ -45,9 +45,16 @@ def toy() -> Scene:
 def _balls() -> tuple[BallDescriptor, ...]:
     """The ball in the launch lane, on its way up, and four others."""
     launched = BallDescriptor(position=(31.45, 1.0), radius=0.5, velocity=(0.0, 24.0), name="launched")
-    places = {"upper": (16.0, 21.5), "on the shelf": (20.5, 17.6), "in the cup": (15.2, 6.0), "left": (2.2, 9.5)}
-    others = (BallDescriptor(position=place, radius=0.5, name=name) for name, place in places.items())
-    return launched, *others
+    others = {
+        "upper": ((16.0, 21.5), (-4.0, 0.0)),
+        "on the shelf": ((19.0, 17.6), (3.0, 0.0)),
+        "in the cup": ((15.0, 5.0), (0.0, 0.0)),
+        "left": ((2.2, 9.5), (1.0, 4.0)),
+    }
+    return launched, *(
+        BallDescriptor(position=place, velocity=velocity, radius=0.5, name=name)
+        for name, (place, velocity) in others.items()
+    )
 
 
 def _room() -> list[Any]:

@@ -1,0 +1,225 @@
+"""Every shipped scene runs: nothing becomes infinite, escapes, or has energy that it was not given."""
+
+from collections.abc import Callable
+from math import hypot
+
+import numpy as np
+import pytest
+
+import carom
+from carom import scenes
+
+DT = 1.0 / 60.0
+
+#: Where the balls of each scene may be, given x, y and the radius; by so much may a ball be found within a wall.
+SLACK = 0.2
+ROOMS: dict[str, Callable[[float, float, float], bool]] = {
+    "galton": lambda x, y, r: y > 0.0,
+    "gas": lambda x, y, r: True,
+    "newtons_cradle": lambda x, y, r: abs(y) <= 1e-12,
+    "pinball": lambda x, y, r: (0.0 < x < 20.0 and 0.0 < y <= 32.0) or hypot(x - 10.0, y - 32.0) < 10.0 - r + SLACK,
+    "pool": lambda x, y, r: -6.0 < x < 260.0 and -10.0 < y < 137.0,
+    "sinai": lambda x, y, r: max(abs(x), abs(y)) < 2.0 - r + SLACK and hypot(x, y) > 1.0 + r - SLACK,
+    "stadium": lambda x, y, r: hypot(max(abs(x) - 2.0, 0.0), y) < 2.0 - r + SLACK,
+    "toy": lambda x, y, r: 0.0 < x < 32.0 and 0.0 < y < 24.0 and (y < x + 13.0 or hypot(x - 5.0, y - 19.0) < 3.5),
+}
+FEW: dict[str, dict[str, int]] = {"galton": {"rows": 4, "balls": 15}, "gas": {"balls": 15}}
+ELASTIC = ("gas", "newtons_cradle", "sinai", "stadium")
+
+
+def energy(world: carom.World) -> float:
+    """Kinetic and potential energy of all balls."""
+    balls = world.balls
+    moving = 0.5 * balls.mass @ (balls.velocity**2).sum(axis=1)
+    return float(moving - balls.mass @ (balls.position @ np.array(world.gravity)))
+
+
+def check(world: carom.World, name: str) -> None:
+    """Nothing; asserts what must hold at any time."""
+    assert np.isfinite(world.balls.position).all()
+    assert np.isfinite(world.balls.velocity).all()
+    assert world.statistics.strays == 0
+    assert world.strays == []
+    for (x, y), radius in zip(world.balls.position.tolist(), world.balls.radius.tolist(), strict=True):
+        assert ROOMS[name](x, y, radius), (x, y, world.time)
+
+
+def run(world: carom.World, name: str, seconds: int) -> int:
+    """The number of hits in so many seconds, with checks four times a second."""
+    count = 0
+    for _ in range(4 * seconds):
+        count += len(world.run(0.25, DT))
+        check(world, name)
+    return count
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", scenes.names())
+def test_ten_seconds(name: str) -> None:
+    world = scenes.by_name(name).build()
+    before = energy(world)
+    assert run(world, name, 10) > 0
+    assert world.time == pytest.approx(10.0)
+    if name in ELASTIC:
+        assert energy(world) == pytest.approx(before, rel=1e-9)
+    if name in ("galton", "pool"):
+        assert energy(world) < before
+
+
+@pytest.mark.parametrize("name", scenes.names())
+def test_one_second_with_few_balls(name: str) -> None:
+    world = getattr(scenes, name)(**FEW.get(name, {})).build()
+    run(world, name, 1)
+
+
+@pytest.mark.compiled
+def test_the_board_makes_a_bell() -> None:
+    world = scenes.galton(rows=12, balls=1000).build()
+    run(world, "galton", 12)
+    bins = np.floor(world.balls.position[:, 0] + 6.5)
+    assert world.balls.position[:, 1].max() < 7.5
+    assert abs((bins - 6.0).mean()) < 0.25
+    assert 1.5 < bins.std() < 2.2  # a binomial distribution has the square root of 3
+    heights = np.bincount(bins.astype(int), minlength=13)
+    assert heights.argmax() in (5, 6, 7)
+    assert heights[0] + heights[12] < 20
+
+
+def test_the_cradle_passes_one_ball_on() -> None:
+    world = scenes.newtons_cradle(balls=5).build()
+    moving = set()
+    for _ in range(600):
+        world.step(DT)
+        fast = np.flatnonzero(np.abs(world.balls.velocity[:, 0]) > 1e-9)
+        assert len(fast) == 1
+        assert abs(world.balls.velocity[fast[0], 0]) == pytest.approx(6.0, rel=1e-12)
+        moving |= set(fast.tolist())
+    assert {0, 4} <= moving
+
+
+def test_the_eight_is_potted_and_stays() -> None:
+    world = scenes.pool().build()
+    entered = [hit for hit in world.run(8.0, DT) if hit.kind == carom.HitKind.ENTER]
+    assert [(hit.ball.name, hit.shape.name) for hit in entered] == [("eight", "upper right pocket")]
+    cue, eight = world.balls
+    assert eight.position[0] > 254.0 - 3.0
+    assert eight.position[1] > 127.0 - 3.0
+    assert 0.0 < cue.position[0] < 254.0
+    assert 0.0 < cue.position[1] < 127.0
+    assert cue.velocity == eight.velocity == (0.0, 0.0)
+
+
+def test_billiards_paths_part() -> None:
+    for name in ("stadium", "sinai"):
+        world = scenes.by_name(name).build()
+        world.run(10.0, DT)
+        places = world.balls.position
+        assert max(hypot(*(places[i] - places[0])) for i in range(1, 5)) > 1.0
+
+
+# -- the two tables --------------------------------------------------------------------------------------------------
+
+
+def part(world: carom.World, name: str) -> carom.Compound:
+    """The compound with a name."""
+    (found,) = [shape for shape in world.shapes if shape.name == name]
+    assert isinstance(found, carom.Compound)
+    return found
+
+
+def names_hit(hits: carom.Hits) -> set[str | None]:
+    """The names of what was hit, or of the compound that it is part of."""
+    shapes = [hit.shape for hit in hits]
+    return {shape.compound.name if getattr(shape, "compound", None) else shape.name for shape in shapes}
+
+
+def longest_rest(track: list[np.ndarray], within: float) -> int:
+    """The most steps that any ball stayed within a square of side `within`."""
+    places = np.array(track)
+    window = 60
+    longest = 0
+    for ball in range(places.shape[1]):
+        still = 0
+        for begin in range(0, len(places) - window, window):
+            moved = np.ptp(places[begin : begin + window, ball], axis=0).max() > within
+            still = 0 if moved else still + window
+            longest = max(longest, still)
+    return longest
+
+
+@pytest.mark.compiled
+def test_pinball_plays_by_itself_for_minutes() -> None:
+    world = scenes.pinball().build()
+    track = []
+    for _ in range(120):
+        for _ in range(60):
+            world.step(DT)
+            track.append(world.balls.position.copy())
+        check(world, "pinball")
+    assert longest_rest(track, 1.2) < 180
+
+
+@pytest.mark.compiled
+def test_every_part_of_the_pinball_table_is_reached() -> None:
+    world = scenes.pinball().build()
+    seen = names_hit(world.run(240.0, DT))
+    reached = {
+        *("dome", "orbit gate", "plunger", "plunger lane", "trough", "drain", "spinner", "lane guide"),
+        *("left bumper", "right bumper", "low bumper", "left target", "right target", "left post", "right post"),
+        *("left slingshot's band", "right slingshot's band", "left flipper", "right flipper"),
+        *("left inlane", "right inlane", "left outlane", "right outlane", "left orbit", "right orbit"),
+        *("left lane", "middle lane", "right lane"),
+    }
+    assert reached <= seen
+
+
+def test_the_first_ball_goes_up_the_lane_and_round_the_dome() -> None:
+    world = scenes.pinball().build()
+    order = [hit.shape.name for hit in world.run(2.0, DT) if hit.ball.name == "first ball"]
+    assert order[0] == "plunger lane"
+    assert order.index("dome") < order.index("orbit gate")
+    assert "launch gate" not in order
+    assert world.balls[0].position[0] < 18.6
+
+
+@pytest.mark.compiled
+def test_flippers_swing_between_their_stops_and_send_balls_up() -> None:
+    world = scenes.pinball().build()
+    flippers = [(part(world, "left flipper"), 1.0), (part(world, "right flipper"), -1.0)]
+    seen = set()
+    for step in range(3600):
+        for flipper, up in flippers:
+            flipper.angular_velocity = up * (22.0 if step // 15 % 2 == 0 else -22.0)
+        world.step(DT)
+        if step % 15 == 14:
+            seen |= {flipper.orientation for flipper, _ in flippers}
+            check(world, "pinball")
+    left, right = flippers[0][0], flippers[1][0]
+    assert left.turn_limits is not None
+    assert right.turn_limits is not None
+    assert seen == {*left.turn_limits, *right.turn_limits}
+
+
+@pytest.mark.compiled
+def test_the_toys_parts_turn_when_told_to() -> None:
+    world = scenes.toy().build()
+    parts = [part(world, name) for name in ("paddle", "cup", "crescent")]
+    run(world, "toy", 5)
+    assert [turned.orientation for turned in parts] == [0.0, 0.0, 0.0]
+    for turned in parts:
+        turned.rotating = True
+    run(world, "toy", 60)
+    assert all(abs(turned.orientation) > 50.0 for turned in parts)
+
+
+@pytest.mark.compiled
+def test_the_toys_launched_ball_comes_into_the_room_and_stays() -> None:
+    world = scenes.toy().build()
+    (launched,) = [ball for ball in world.balls if ball.name == "launched"]
+    inside = False
+    for _ in range(3600):
+        world.step(DT)
+        x, y = launched.position
+        inside = inside or x < 30.0
+        assert not inside or x < 30.6 or y > 18.8
+    assert inside

@@ -1,0 +1,274 @@
+"""Every field of every descriptor: the names and defaults of what it describes, and no bad value gets in."""
+
+import inspect
+from typing import Any
+
+import pytest
+from pydantic import BaseModel
+
+import carom
+from carom.scene.descriptors import (
+    MOTION_FIELDS,
+    BallDescriptor,
+    CompoundDescriptor,
+    Descriptor,
+    ShapeDescriptor,
+    WorldDescriptor,
+)
+from carom.world.settings import SETTINGS, Settings
+
+NOT_TEXT = (3, 1.5, True, ["a"], b"a", "\ud800")
+NOT_A_SWITCH = (0, 1, "true", None, [True])
+NOT_A_NUMBER = ("1", True, None, [1.0], float("nan"), float("inf"), float("-inf"), 10**400)
+NOT_POSITIVE = (*NOT_A_NUMBER, 0, 0.0, -1.0)
+NEGATIVE = (*NOT_A_NUMBER, -1, -1e-300)
+NOT_A_PAIR = (None, 1.0, "12", [1.0], [1, 2, 3], {"x": 1, "y": 2}, {1.0, 2.0}, ["1", 2], [True, 2], [float("nan"), 0])
+NOT_A_COUNT = (0, -1, 1.0, "4", True, 2**31)
+NOT_LAYERS = (-1, 2**32, 1.0, "1", True)
+NOT_A_LIST = (None, 3, "shapes", {"kind": "point"}, [3], [None], [{}], [{"kind": "blob"}], [{"kind": 3}])
+
+
+def but_none(values: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The values but None, which an optional field takes."""
+    return tuple(value for value in values if value is not None)
+
+
+#: By field: values that none of the descriptors that have it may take.
+BAD: dict[str, tuple[Any, ...]] = {
+    "version": (None, 0, 2, "1", 1.5),
+    "name": NOT_TEXT,
+    "guard": NOT_A_SWITCH,
+    "world": (None, 3, "world", [1]),
+    "shapes": NOT_A_LIST,
+    "balls": NOT_A_LIST,
+    "gravity": NOT_A_PAIR,
+    "detection": (None, 3, "fast", "Discrete"),
+    "substeps": (*NOT_A_COUNT, 1_000_001),
+    "iterations": (*NOT_A_COUNT, 1_000_001),
+    "broad_phase": (None, 3, "tree"),
+    "levels": (*NOT_A_COUNT, 17),
+    "restitution": (None, 3, "half"),
+    "friction": NEGATIVE,
+    "sleep_speed": NEGATIVE,
+    "sleep_time": NEGATIVE,
+    "rest_speed": but_none(NEGATIVE),
+    "max_speed": but_none(NOT_POSITIVE),
+    "max_impacts": NOT_A_COUNT,
+    "bounds": (3, "box", [1, 2, 3], [2, 0, 1, 1], [0, 2, 1, 1], [0, 0, float("nan"), 1], [0, 0, "1", 1]),
+    "remove_strays": NOT_A_SWITCH,
+    "elasticity": but_none(NEGATIVE),
+    "kick": but_none(NEGATIVE),
+    "sensor": but_none(NOT_A_SWITCH),
+    "can_collide": but_none(NOT_A_SWITCH),
+    "layer": NOT_LAYERS,
+    "collides_with": NOT_LAYERS,
+    "motion": (None, 1, "dynamic", "Static"),
+    "pivot": but_none(NOT_A_PAIR),
+    "orientation": NOT_A_NUMBER,
+    "angular_velocity": NOT_A_NUMBER,
+    "rotating": NOT_A_SWITCH,
+    "turn_limits": (*but_none(NOT_A_PAIR), [1.0, -1.0], [0.5, 1.0]),
+    "velocity": NOT_A_PAIR,
+    "kind": (None, 3, "ball", "blob"),
+    "position": NOT_A_PAIR,
+    "start": NOT_A_PAIR,
+    "end": (*NOT_A_PAIR, [0.0, 0.0]),
+    "center": NOT_A_PAIR,
+    "radius": NOT_POSITIVE,
+    "solid": NOT_A_SWITCH,
+    "start_angle": NOT_A_NUMBER,
+    "end_angle": (*NOT_A_NUMBER, 0.0),
+    "direction": (*but_none(NOT_A_PAIR), [0.0, 0.0], [2.0, 0.0]),
+    "mass": NOT_POSITIVE,
+}
+
+#: By kind: a shape as short as it can be.
+SHAPES: dict[str, dict[str, Any]] = {
+    "point": {"kind": "point", "position": [1, 2]},
+    "segment": {"kind": "segment", "start": [0, 0], "end": [1, 0]},
+    "gate": {"kind": "gate", "start": [0, 0], "end": [1, 0]},
+    "circle": {"kind": "circle", "center": [0, 0], "radius": 1},
+    "arc": {"kind": "arc", "center": [0, 0], "radius": 1, "start_angle": 0, "end_angle": 1},
+    "compound": {"kind": "compound", "pivot": [0, 0], "shapes": [{"kind": "point", "position": [1, 0]}]},
+}
+BALL = {"position": [5, 5], "radius": 0.5}
+
+
+def scene_with(place: str, table: dict[str, Any]) -> dict[str, Any]:
+    """The fields of a scene in which `table` stands at `place`."""
+    if place == "":
+        return table
+    return {"world": table} if place == "world" else {place.removesuffix("[0]"): [table]}
+
+
+def faults(error: carom.SceneError) -> list[str]:
+    """The lines of a message, without the heading that says how many there are."""
+    heading, *lines = str(error).split("\n  ")
+    return lines or [heading]
+
+
+def tables() -> list[tuple[type[BaseModel], str, dict[str, Any]]]:
+    """Every descriptor with the place where it stands in a scene and the shortest table for it."""
+    models = {model.model_fields["kind"].default: model for model in ShapeDescriptor.__subclasses__()}
+    models["compound"] = CompoundDescriptor
+    shapes = [(models[kind], "shapes[0]", table) for kind, table in SHAPES.items()]
+    return [(carom.Scene, "", {}), (WorldDescriptor, "world", {}), (BallDescriptor, "balls[0]", BALL), *shapes]
+
+
+def fields() -> list[Any]:
+    """Every field of every descriptor."""
+    return [
+        pytest.param(place, table, field, id=f"{model.__name__}.{field}")
+        for model, place, table in tables()
+        for field in model.model_fields
+    ]
+
+
+def leaves(model: type[BaseModel]) -> set[type[BaseModel]]:
+    """The descriptors that are not there to be derived from."""
+    below = model.__subclasses__()
+    return {model} if not below else set().union(*(leaves(child) for child in below))
+
+
+def test_no_descriptor_is_forgotten_here() -> None:
+    assert {model for model, _, _ in tables()} == leaves(Descriptor)
+
+
+@pytest.mark.parametrize(("place", "table", "field"), fields())
+def test_bad_values_are_refused_with_their_path(place: str, table: dict[str, Any], field: str) -> None:
+    assert carom.Scene(**scene_with(place, table))
+    path = f"{place}.{field}".lstrip(".")
+    motion = {"motion": "kinematic"} if field in MOTION_FIELDS[1:] and place == "shapes[0]" else {}
+    motion = {} if table.get("kind") == "compound" else motion
+    for value in BAD[field]:
+        with pytest.raises(carom.SceneError, match=r"must|is missing") as caught:
+            carom.Scene(**scene_with(place, table | motion | {field: value}))
+        assert all(line.startswith(path) for line in faults(caught.value)), value
+
+
+@pytest.mark.parametrize(("place", "table", "field"), fields())
+def test_what_is_missing_is_named(place: str, table: dict[str, Any], field: str) -> None:
+    if field not in table:
+        return
+    with pytest.raises(carom.SceneError) as caught:
+        carom.Scene(**scene_with(place, {name: value for name, value in table.items() if name != field}))
+    assert str(caught.value) == f"{place}.{field}: is missing"
+
+
+@pytest.mark.parametrize(("model", "place", "table"), tables())
+def test_what_is_unknown_is_refused(model: type[BaseModel], place: str, table: dict[str, Any]) -> None:
+    with pytest.raises(carom.SceneError) as caught:
+        carom.Scene(**scene_with(place, table | {"colour": "red"}))
+    assert str(caught.value) == f"{place}.colour: is unknown".lstrip(".")
+
+
+@pytest.mark.parametrize(("model", "place", "table"), tables())
+def test_a_descriptor_cannot_be_changed(model: type[BaseModel], place: str, table: dict[str, Any]) -> None:
+    scene = carom.Scene(**scene_with(place, table))
+    made = {"": scene, "world": scene.world}.get(place) or (scene.shapes or scene.balls)[0]
+    for field in type(made).model_fields:
+        with pytest.raises(ValueError, match="frozen"):
+            setattr(made, field, getattr(made, field))
+
+
+# -- the same names and defaults as what is described ---------------------------------------------------------------
+
+
+def described_by(model: type[BaseModel]) -> dict[str, Any]:
+    """The fields of a descriptor with their defaults, without what only files have."""
+    own = {"kind", "orientation"}
+    return {name: field.get_default() for name, field in model.model_fields.items() if name not in own}
+
+
+@pytest.mark.parametrize("model", [*ShapeDescriptor.__subclasses__(), BallDescriptor, CompoundDescriptor])
+def test_fields_are_the_constructors_arguments(model: Any) -> None:
+    maker = {BallDescriptor: carom.Ball, CompoundDescriptor: carom.Compound}.get(model) or model.maker
+    arguments = {
+        name: parameter.default for name, parameter in inspect.signature(maker).parameters.items() if name != "user"
+    }
+    fields = described_by(model)
+    assert fields.keys() == arguments.keys()
+    for name, default in arguments.items():
+        if default is not inspect.Parameter.empty:
+            assert fields[name] == default, name
+        else:
+            assert model.model_fields[name].is_required(), name
+
+
+def test_world_fields_are_the_worlds_settings() -> None:
+    defaults = {name: vars(Settings)[name].default for name in SETTINGS}
+    assert described_by(WorldDescriptor) == defaults
+
+
+# -- what the tables make -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind != "compound"])
+def test_a_shape_is_built_as_described(kind: str) -> None:
+    looks = {
+        "name": "it",
+        "elasticity": 0.5,
+        "kick": 2.0,
+        "sensor": True,
+        "can_collide": False,
+        "layer": 2,
+        "collides_with": 5,
+        "motion": "kinematic",
+        "pivot": (3.0, 4.0),
+        "angular_velocity": 0.25,
+        "rotating": False,
+        "turn_limits": (-1.0, 2.0),
+        "velocity": (1.0, -1.0),
+    }
+    (described,) = carom.Scene(shapes=[SHAPES[kind] | looks]).shapes
+    shape = described.build()
+    for name, value in looks.items():
+        expected = carom.Motion.KINEMATIC if name == "motion" else value
+        assert getattr(shape, name) == expected, name
+    assert shape.kind == kind
+    assert shape.orientation == 0.0
+
+
+def test_an_oriented_shape_is_turned_about_its_pivot() -> None:
+    table = SHAPES["segment"] | {"motion": "kinematic", "pivot": (0, 0), "orientation": 0.5, "turn_limits": (0, 1)}
+    hand = carom.Scene(shapes=[table]).shapes[0].build()
+    twin = carom.Segment((0, 0), (1, 0), motion="kinematic", pivot=(0, 0))
+    twin.rotate((0, 0), 0.5)
+    assert (hand.p0, hand.p1, hand.orientation) == (twin.p0, twin.p1, 0.5)
+    assert hand.turn_limits == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("orientation", [-0.1, 1.1])
+def test_no_orientation_beyond_the_stops(orientation: float) -> None:
+    table = SHAPES["segment"] | {"motion": "kinematic", "orientation": orientation, "turn_limits": (0, 1)}
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\].*turn_limits"):
+        carom.Scene(shapes=[table])
+
+
+@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind != "compound"])
+def test_a_static_shape_is_not_turned(kind: str) -> None:
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\].*kinematic"):
+        carom.Scene(shapes=[SHAPES[kind] | {"orientation": 1.0}])
+
+
+def test_a_compound_is_built_as_described() -> None:
+    parts = [SHAPES["circle"] | {"elasticity": 0.25}, SHAPES["segment"]]
+    table = SHAPES["compound"] | {"shapes": parts, "name": "vane", "angular_velocity": 2.0, "kick": 3.0}
+    vane = carom.Scene(shapes=[table]).shapes[0].build()
+    assert [part.kind for part in vane.shapes] == ["circle", "segment"]
+    assert [part.elasticity for part in vane.shapes] == [0.25, 1.0]
+    assert [part.kick for part in vane.shapes] == [3.0, 3.0]
+    assert (vane.name, vane.pivot, vane.angular_velocity) == ("vane", (0.0, 0.0), 2.0)
+
+
+@pytest.mark.parametrize("field", MOTION_FIELDS)
+def test_a_part_does_not_say_how_it_moves(field: str) -> None:
+    values = {"pivot": (0, 0), "rotating": False, "orientation": 0.5, "turn_limits": (0, 1), "velocity": (1, 0)}
+    part = SHAPES["circle"] | {"motion": "kinematic", field: values.get(field, {"motion": "kinematic"}.get(field, 1.0))}
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.shapes\[0\]\.\w+: is for the compound to set"):
+        carom.Scene(shapes=[SHAPES["compound"] | {"shapes": [part]}])
+
+
+def test_a_compound_holds_no_compounds() -> None:
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.shapes"):
+        carom.Scene(shapes=[SHAPES["compound"] | {"shapes": [SHAPES["compound"]]}])
