@@ -110,7 +110,7 @@ class Compound(Group):
         center_point._compound = self
 
     def __repr__(self) -> str:
-        return f"Compound({list(self.shapes)}, {self.pivot})"
+        return f"Compound({len(self.shapes)} shapes, pivot={self.pivot})"
 
     # -- parts -------------------------------------------------------------------------------------------------------
 
