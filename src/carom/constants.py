@@ -45,6 +45,11 @@ LEAF_MEMBERS = 4
 INDEX_CELLS_PER_SHAPE = 64
 INDEX_CELLS_MOST = 65536
 
+#: Times that a ball which shapes push out of its cell goes on with those near its new place, in one iteration; then the
+#: next iteration does. Fewer, and broad phases may differ in which of two shapes pushes a ball first; more, and a world
+#: needs more room for hits.
+NEW_CELLS = 4
+
 #: Factor by which a shape is found from farther away than needed, so that rounding never hides it.
 INDEX_MARGIN = 1.000001
 
@@ -83,3 +88,50 @@ APPROACH_ROUNDING_SQUARED = APPROACH_ROUNDING * APPROACH_ROUNDING
 #: Relative to the squared length of a ball's path from its centre to a shape: what passes by so clearly is left out
 #: before its times are computed. Far above the rounding of that estimate (1e-15), so that no touch is lost by it.
 GRAZING = 1e-12
+
+#: Fraction of a ball's radius: how deep a ball may dip into a turning shape unseen, and get clear again by itself. What
+#: dips deeper is always found; what is found is exact. A hundredth of END_DEPTH_CONTINUOUS, so that a dip is no
+#: passing; smaller, and the search takes more steps, by its inverse root, past a shape that a ball slides along.
+TURN_DEPTH = 1e-8
+
+#: Steps of the search for a touch with a turning shape at most; one that needs more stops there, where the ball is
+#: clear still, and may go on from there. About 10 are usual; a ball that slides along a flipper takes some hundreds.
+TURN_STEPS = 4096
+
+#: Times that a ball may touch the line or circle of a turning shape past its ends before the search stops likewise.
+TURN_CROSSINGS = 16
+
+#: Width of the cells for balls in flight, in diameters of the largest; half of it is left for the ways of two balls
+#: before they are filed anew. 2 is the least; more means fewer filings and more tests.
+BIN_SIDE = 2.002
+
+#: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
+FEW_BALLS = 6
+
+#: Fraction of its radius that a ball which passes a shape, or is inside a sensor, travels before it looks whether it
+#: still does. A way there and back again within it goes unseen; smaller costs events.
+LOOK_TRAVEL = 0.25
+
+#: Fraction of a substep. Where e < 1 and rebounds come closer together than this, a contact lasts; balls that rest on
+#: balls meet again after it. Smaller, and balls bounce more often before they come to rest.
+LASTING_PART = 1.0 / 64.0
+
+#: Fraction of a substep after which a ball that slides along a bent or moving shape is put back onto it. It leaves the
+#: shape by less than 1e-3 of its radius in between as long as it turns by less than a full turn a substep.
+SLIDE_PART = 1.0 / 48.0
+
+#: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
+LIFT = 1e-3
+
+#: Fraction of a ball's radius: a ball with less room than this between a moving shape and one at rest is squeezed, and
+#: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
+SQUEEZE_GAP = 0.05
+
+#: Fraction of a ball's radius: balls that overlap by less when a substep begins do so from rounding, and are left alone.
+SEPARATION_SLACK = 1e-9
+
+#: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.
+FLIGHT_SLICES = 1024
+
+#: Static shapes up to this many are all tested against a ball's way in continuous mode, without an index.
+FEW_SHAPES = 16

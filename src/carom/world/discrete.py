@@ -5,6 +5,7 @@ Each stage can stop where room runs out, and go on from there when there is more
 
 from __future__ import annotations
 
+from carom.constants import NEW_CELLS
 from carom.geometry.vector import length
 from carom.rows import Row, Rows
 from carom.world.ending import finish_substep, sweep_relations
@@ -20,6 +21,7 @@ from carom.world.layout import (
     MOVE,
     NEEDS_PAIRS,
     NEEDS_ROOM,
+    NOT_FINITE,
     PAIRS,
     PAIRS_DUE,
     SHAPES,
@@ -29,8 +31,8 @@ from carom.world.motion import move_ball, move_shapes
 from carom.world.narrow import boxes_apart, may_collide, meet_pair, meet_shape
 from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.relations import relations_room
-from carom.world.safety import begin_step, end_step
-from carom.world.shape_index import FIXED, MOVING, build_index, locate
+from carom.world.safety import begin_step, end_step, roll_back, shapes_are_sound
+from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
 
 
 def step_discrete(
@@ -59,7 +61,7 @@ def step_discrete(
         if stage == BEGIN:
             status = begin_step(states, balls, shapes, order, saved, relations)
         elif stage == MOVE:
-            status = begin_substep(state, balls, shapes, order, index, cells, members)
+            status = begin_substep(states, balls, shapes, order, index, cells, members, saved, relations)
         elif stage == SHAPES:
             status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
         elif stage == FIND_PAIRS:
@@ -96,12 +98,29 @@ def rest_speed(state: Row) -> float:
     return 2.0 * length(gx, gy) * substep_length(state)
 
 
-def begin_substep(state: Row, balls: Rows, shapes: Rows, order: Rows, index: Rows, cells: Rows, members: Rows) -> int:
-    """DONE when the kinematic shapes have moved and the index of shapes is right again."""
+def begin_substep(
+    states: Rows,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    saved: Rows,
+    relations: Rows,
+) -> int:
+    """DONE when the kinematic shapes have moved and the index of shapes is right again.
+
+    NEEDS_PAIRS where that has no room, NOT_FINITE if a shape went out of the range of numbers and the step was undone.
+    """
+    state = states[0]
     if state["stage_entered"] == 0:
         if move_shapes(state, balls, shapes, order, substep_length(state)):
             state["moving_stale"] = 1
         state["stage_entered"] = 1
+        if not shapes_are_sound(state, shapes, order):
+            roll_back(states, balls, shapes, order, saved, relations)
+            return NOT_FINITE
     if state["index_stale"] != 0:
         if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
             return NEEDS_PAIRS
@@ -141,7 +160,7 @@ def meet_all_shapes(
     time = hit_time(state)
     rest = rest_speed(state)
     gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
-    most = int(index[FIXED]["longest"] + index[MOVING]["longest"])
+    most = most_meetings(state, index)
     for i in range(state["cursor"], state["balls"]):
         ball = balls[i]
         if ball["asleep"] != 0 or not (first or saved[i]["touched"] & SHAPES_DUE):
@@ -157,20 +176,37 @@ def meet_all_shapes(
         saved[i]["touched"] &= PAIRS_DUE
         to_x, to_y = float(ball["x"]), float(ball["y"])
         for which in range(2):
-            cell = locate(state, index[which], cells, to_x, to_y)
-            if cell >= 0:
-                begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
-                state["box_tests"] += end - begin
-                for k in range(begin, end):
-                    row = int(members[k])
-                    shape = shapes[row]
-                    if not boxes_apart(ball, shape) and may_collide(ball, shape):
-                        meet_shape(
-                            state, ball, i, shape, row, hits, relations, saved[i],
-                            time, rest, first, from_x, from_y, to_x, to_y,
-                        )  # fmt: skip
+            entry = index[which]
+            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+            k, end = cell_span(cells, cell)
+            state["box_tests"] += end - k
+            left = NEW_CELLS
+            while k < end:
+                row = int(members[k])
+                k += 1
+                shape = shapes[row]
+                if not boxes_apart(ball, shape) and may_collide(ball, shape):
+                    pushed = meet_shape(
+                        state, ball, i, shape, row, hits, relations, saved[i],
+                        time, rest, first, from_x, from_y, to_x, to_y,
+                    )  # fmt: skip
+                    if pushed and left > 0:
+                        new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                        if new_cell != cell:
+                            left -= 1
+                            cell = new_cell
+                            state["box_tests"] -= end - k
+                            k, end = rest_of_cell(shapes, cells, members, cell, row)
+                            state["box_tests"] += end - k
     enter_stage(state, FIND_PAIRS)
     return DONE
+
+
+def most_meetings(state: Row, index: Rows) -> int:
+    """How many shapes a ball can meet in one iteration at most."""
+    fixed, moving = int(state["fixed"]), int(state["shapes"] - state["fixed"])
+    lists = 1 + NEW_CELLS
+    return min(lists * int(index[FIXED]["longest"]), fixed) + min(lists * int(index[MOVING]["longest"]), moving)
 
 
 def find_pairs(

@@ -12,9 +12,13 @@ from carom.world.pairs import may_touch, measure_balls, put_pair
 def cell_of(offset: float, inverse_side: float) -> int:
     """The number of the column (or line) that a coordinate's `offset` from the grid's corner lies in.
 
-    Far outside it is clamped; clamping keeps the order, so neighbours stay neighbours.
+    Far outside it is clamped; clamping keeps the order, so neighbours stay neighbours. NaN, which a step that overflows
+    may come by before it is rolled back, counts as far below.
     """
-    return floor(min(max(offset * inverse_side, -CELL_CLAMP), CELL_CLAMP))
+    cell = offset * inverse_side
+    if not cell > -CELL_CLAMP:
+        return floor(-CELL_CLAMP)
+    return floor(CELL_CLAMP if cell > CELL_CLAMP else cell)
 
 
 def level_of(diameter: float, side: float) -> int:
@@ -39,8 +43,8 @@ def grid_size(width: float, height: float, side: float, count: int) -> tuple[int
     In a larger box the numbers wrap around, so cells that lie far apart share one, which costs tests and changes
     nothing else: the nine cells around a ball always have nine numbers.
     """
-    columns = min(width / side, CELL_CLAMP) + 3.0
-    lines = min(height / side, CELL_CLAMP) + 4.0
+    columns = (width / side if width / side < CELL_CLAMP else CELL_CLAMP) + 3.0
+    lines = (height / side if height / side < CELL_CLAMP else CELL_CLAMP) + 4.0
     most = 64.0 + GRID_CELLS_PER_BALL * count
     if columns * lines <= most:
         return int(columns) * int(lines), int(columns), -1

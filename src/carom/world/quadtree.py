@@ -7,6 +7,8 @@ root's box belong to the leaf nearest in both coordinates, so nothing is ever ou
 
 from __future__ import annotations
 
+from math import inf
+
 from carom.constants import CELL_SIDE, LEAF_MEMBERS
 from carom.rows import Row, Rows
 from carom.world.layout import NO_CHILD
@@ -109,11 +111,15 @@ def build_tree(
     """The row of `cells` after the tree's last node, or -1 where room ran out (`state["wanted_*"]` says how much).
 
     The root, with its centre and its members, is there already; it is `width` by `height`. A node is split while it has
-    more than `LEAF_MEMBERS` members and is above the lowest of the world's `levels`.
+    more than `LEAF_MEMBERS` members and is above the lowest of the world's `levels`, unless each of its quarters would
+    hold all of them: boxes larger than a node gain nothing from smaller ones. One
+    that is as wide as numbers reach stays whole.
     """
     level_begin = root
     end = root + 1
     free = int(cells[root]["end"])
+    if not (width < inf and height < inf):
+        return end
     for _ in range(1, state["levels"]):
         width = 0.5 * width
         height = 0.5 * height
@@ -123,10 +129,15 @@ def build_tree(
                 if end + 4 > len(cells):
                     state["wanted_cells"] = end + 4
                     return -1
-                free = split(balls, shapes, of_balls, reach, cells, members, node, end, free, 0.5 * width, 0.5 * height)
-                if free > len(members):
-                    state["wanted_members"] = free
+                held = cells[node]["end"] - cells[node]["begin"]
+                used = split(balls, shapes, of_balls, reach, cells, members, node, end, free, 0.5 * width, 0.5 * height)
+                if used - free == 4 * held:
+                    cells[node]["child"] = NO_CHILD
+                elif used > len(members):
+                    state["wanted_members"] = used
                     return -1
-                end += 4
+                else:
+                    free = used
+                    end += 4
         level_begin = level_end
     return end

@@ -18,6 +18,16 @@ def is_sound(ball: Row) -> bool:
     return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
 
 
+def shapes_are_sound(state: Row, shapes: Rows, order: Rows) -> bool:
+    """True if the kinematic shapes are where numbers reach."""
+    for k in range(state["fixed"], state["shapes"]):
+        shape = shapes[order[k]]
+        low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
+        if not (low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))):
+            return False
+    return True
+
+
 def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> int:
     """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
     state = states[0]

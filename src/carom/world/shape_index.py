@@ -6,14 +6,14 @@ shapes in the order in which a ball meets them: points, segments and gates, circ
 
 from __future__ import annotations
 
-from math import floor, sqrt
+from math import fabs, floor, inf, sqrt
 
-from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN
+from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
 from carom.geometry.arc import in_sector
 from carom.geometry.line import distance_to_segment
 from carom.geometry.vector import length
 from carom.rows import ARC, CIRCLE, POINT, Row, Rows
-from carom.world.layout import BRUTE, GRID, NO_CHILD
+from carom.world.layout import BRUTE, GRID, NO_CHILD, QUADTREE
 from carom.world.quadtree import build_tree, locate_node, plant_root
 
 FIXED = 0
@@ -45,12 +45,32 @@ def locate(state: Row, entry: Row, cells: Rows, x: float, y: float) -> int:
     if state["broad_phase"] == BRUTE:
         return first
     if state["broad_phase"] == GRID:
-        column = floor((x - float(entry["left"])) / float(entry["side"]))
-        line = floor((y - float(entry["bottom"])) / float(entry["side"]))
-        if column < 0 or line < 0 or column >= entry["columns"] or line >= entry["lines"]:
-            return -1
-        return int(first + line * entry["columns"] + column)
+        columns, lines = int(entry["columns"]), int(entry["lines"])
+        across = (x - float(entry["left"])) / float(entry["side"])
+        along = (y - float(entry["bottom"])) / float(entry["side"])
+        if 0.0 <= across < columns and 0.0 <= along < lines:
+            return first + floor(along) * columns + floor(across)
+        return -1
     return locate_node(cells, first, x, y)
+
+
+def cell_span(cells: Rows, cell: int) -> tuple[int, int]:
+    """Where the members of a cell begin and end; (0, 0) for the cell -1, which has none."""
+    if cell < 0:
+        return 0, 0
+    return int(cells[cell]["begin"]), int(cells[cell]["end"])
+
+
+def rest_of_cell(shapes: Rows, cells: Rows, members: Rows, cell: int, row: int) -> tuple[int, int]:
+    """Where the members of a cell begin and end that a ball meets after the shape in `row`, which may be elsewhere."""
+    begin, end = cell_span(cells, cell)
+    kind = shapes[row]["kind"]
+    while begin < end:
+        other = members[begin]
+        if shapes[other]["kind"] > kind or (shapes[other]["kind"] == kind and other > row):
+            break
+        begin += 1
+    return begin, end
 
 
 def build_index(
@@ -80,12 +100,18 @@ def build_index(
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)
-    entry["left"] = left
-    entry["bottom"] = bottom
-    if state["broad_phase"] == GRID:
+    side = cell_side(right - left, top - bottom, end - begin, reach)
+    vast = side == inf
+    entry["left"] = 0.0 if vast else left
+    entry["bottom"] = 0.0 if vast else bottom
+    entry["side"] = side
+    entry["columns"] = 1
+    entry["lines"] = 1
+    if state["broad_phase"] == GRID and not vast:
         built = build_grid(state, shapes, order, entry, begin, end, right - left, top - bottom, cells, members)
     else:
-        built = build_nodes(state, balls, shapes, order, entry, begin, end, right, top, cells, members)
+        width, height = right - left, top - bottom
+        built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, cells, members)
     for cell in range(entry["cells_begin"], entry["cells_end"]):
         if cells[cell]["child"] == NO_CHILD:
             entry["longest"] = max(entry["longest"], cells[cell]["end"] - cells[cell]["begin"])
@@ -100,12 +126,15 @@ def build_nodes(
     entry: Row,
     begin: int,
     end: int,
-    right: float,
-    top: float,
+    width: float,
+    height: float,
     cells: Rows,
     members: Rows,
 ) -> bool:
-    """True if the shapes `order[begin:end]` were put into one cell (brute force) or into a quadtree."""
+    """True if the shapes `order[begin:end]` were put into a quadtree, or into one cell.
+
+    That is for brute force, and for a world that spans all numbers, which cannot be divided.
+    """
     left, bottom, reach = float(entry["left"]), float(entry["bottom"]), float(entry["reach"])
     root = int(entry["cells_begin"])
     free = int(entry["members_begin"]) + end - begin
@@ -113,12 +142,12 @@ def build_nodes(
         state["wanted_cells"] = root + 1
         state["wanted_members"] = free
         return False
-    plant_root(cells[root], 0.5 * left + 0.5 * right, 0.5 * bottom + 0.5 * top, free - (end - begin), free)
+    plant_root(cells[root], left + 0.5 * width, bottom + 0.5 * height, free - (end - begin), free)
     for k in range(begin, end):
         members[free - end + k] = order[k]
     last = root + 1
-    if state["broad_phase"] != BRUTE:
-        last = build_tree(state, balls, shapes, False, reach, cells, members, root, right - left, top - bottom)
+    if state["broad_phase"] == QUADTREE and float(entry["side"]) < inf:
+        last = build_tree(state, balls, shapes, False, reach, cells, members, root, width, height)
     entry["cells_end"] = max(last, root)
     entry["members_end"] = free if last <= root + 1 else cells[last - 1]["end"]
     return last > 0
@@ -158,8 +187,7 @@ def build_grid(
     members: Rows,
 ) -> bool:
     """True if the shapes `order[begin:end]` were put into every cell that they come within `entry["reach"]` of."""
-    side = cell_side(width, height, end - begin, float(entry["reach"]))
-    entry["side"] = side
+    side = float(entry["side"])
     entry["columns"] = int(width / side) + 1
     entry["lines"] = int(height / side) + 1
     first = int(entry["cells_begin"])
@@ -192,8 +220,8 @@ def mark_cells(shape: Row, row: int, entry: Row, cells: Rows, members: Rows, wri
     """Count a shape in every cell that it comes within reach of, and write it there too if `write`."""
     side = float(entry["side"])
     reach = float(entry["reach"])
-    near = (reach + side * sqrt(0.5)) * INDEX_MARGIN
     left, bottom = float(entry["left"]), float(entry["bottom"])
+    near = (reach + side * sqrt(0.5)) * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
     first_column = max(int((float(shape["left"]) - reach - left) / side) - 1, 0)
     last_column = min(int((float(shape["right"]) + reach - left) / side) + 1, int(entry["columns"]) - 1)
     first_line = max(int((float(shape["bottom"]) - reach - bottom) / side) - 1, 0)
