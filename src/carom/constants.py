@@ -25,6 +25,10 @@ GUARD_TOLERANCE = 1e-9
 #: A joint of 1e-6 rad turns a ball's velocity by less than 1e-6 of its speed.
 GUARD_ANGLE_TOLERANCE = 1e-6
 
+#: Relative to a shape's size: ends, middle, box and tangent of a shape in a snapshot agree with the rest of it within
+#: this. Sines of another machine differ by 1e-16; nothing that is drawn or met depends on less.
+SNAPSHOT_TOLERANCE = 1e-9
+
 #: Width of the broad phase's cells in diameters of the balls in them. 1 is the least that finds every pair, and the
 #: thousandth above it covers the rounding of coordinates up to 1e12 radii from the origin; more means
 #: fewer cells and more tests in each. Changes the speed and the order of pairs alone.

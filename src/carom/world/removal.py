@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.rows import NO_RELATION, Row, Rows
-from carom.shapes.ball import Ball
-from carom.shapes.shape import Shape
 from carom.world.layout import EXIT, INSIDE_BALL, PASSING
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation
@@ -72,11 +70,3 @@ def _exit(room: Room, ball: Row, other: Rows) -> None:
         state["wanted_hits"] = state["hits"] + 1
         room.extend_hits()
     write_hit(state, room.hits, float(state["time"]), EXIT, int(ball["id"]), int(other["id"]))
-
-
-def leave_world(member: Shape | Ball) -> None:
-    """Nothing; detaches a member from its world. It keeps its last values, and a part its compound."""
-    compound = member.compound if isinstance(member, Shape) else None
-    member._leave()
-    if isinstance(member, Shape):
-        member._compound = compound

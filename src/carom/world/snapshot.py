@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.errors import SnapshotError
-from carom.rows import ALL_LAYERS, ARC, BALL, KINEMATIC, NO_RELATION, SHAPE, Rows
+from carom.rows import NO_RELATION
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
-from carom.world.layout import HIT, INSIDE_BALL, PASSING, STATE
-from carom.world.removal import Relation, leave_world, relations_in_order, set_relations
+from carom.world.layout import HIT
+from carom.world.removal import relations_in_order, set_relations
+from carom.world.snapshot_check import DERIVED, Contents, check_contents
 from carom.world.tables import clear_kernel_place
 
 if TYPE_CHECKING:
@@ -29,26 +30,6 @@ if TYPE_CHECKING:
 
 MAGIC = b"carom snapshot 1\n"
 HASH_SIZE = 16
-
-#: Fields of the state that only say how its tables stand, which a snapshot leaves at 0.
-_DERIVED = (
-    "hits",
-    "relations",
-    "relations_high",
-    "free_relation",
-    "fixed",
-    "index_stale",
-    "moving_stale",
-    "dt",
-    "step_hits",
-    "new_strays",
-    "wanted_hits",
-    "wanted_relations",
-    "wanted_pairs",
-    "wanted_starts",
-    "wanted_cells",
-    "wanted_members",
-)
 
 
 def write_snapshot(world: World) -> bytes:
@@ -73,7 +54,7 @@ def _payload(world: World) -> bytes:
     clear_kernel_place(state[0])
     state["balls"], state["shapes"] = room.balls.count, room.shapes.count
     state["wake"] = world._will_wake()
-    for field in _DERIVED:
+    for field in DERIVED:
         state[field] = 0
     balls = room.balls.used.copy()
     balls["relation"] = NO_RELATION
@@ -86,8 +67,8 @@ def _payload(world: World) -> bytes:
 
 
 def _header(world: World) -> dict[str, Any]:
-    """Names, compounds, and the order of what was added."""
-    names = {str(key): member.name for key, member in sorted(world._objects.items()) if member.name is not None}
+    """Names and compounds."""
+    names = {str(key): member.name for key, member in world._objects.items() if member.name is not None}
     compounds = [
         {
             "parts": [part.id for part in (shape.center_point, *shape.shapes)],
@@ -97,83 +78,58 @@ def _header(world: World) -> dict[str, Any]:
         for shape in world._added.values()
         if isinstance(shape, Compound)
     ]
-    return {"names": names, "compounds": compounds, "added": list(world._added)}
+    return {"names": names, "compounds": compounds}
 
 
-class _Parts:
-    """The checked contents of a snapshot."""
-
-    def __init__(self, snapshot: bytes) -> None:
-        if not isinstance(snapshot, (bytes, bytearray, memoryview)):
-            raise SnapshotError(f"snapshot must be bytes, not {type(snapshot).__name__}")
-        data = bytes(snapshot)
-        start = len(MAGIC) + HASH_SIZE
-        if not data.startswith(MAGIC) or len(data) < start:
-            raise SnapshotError("snapshot must begin with the line that carom's snapshots begin with")
-        if _hash(data[start:]) != data[len(MAGIC) : start]:
-            raise SnapshotError("snapshot is damaged: its hash is not that of its contents")
-        try:
-            file = io.BytesIO(data[start:])
-            arrays = [np.load(file, allow_pickle=False) for _ in range(6)]
-            text, state, self.balls, self.shapes, relations, self.hits = arrays
-            self.state = state[0]
-            self.header = json.loads(text.tobytes().decode())
-            self.relations: list[Relation] = [tuple(row) for row in relations.tolist()]
-            self._check(state)
-        except SnapshotError:
-            raise
-        except Exception as error:  # noqa: BLE001  # NumPy's and JSON's readers raise many kinds
-            raise SnapshotError(f"snapshot cannot be read: {error}") from None
-
-    def _check(self, state: Rows) -> None:
-        """Nothing; raises where the contents are not what a world can be in."""
-        dtypes = (state.dtype, self.balls.dtype, self.shapes.dtype, self.hits.dtype)
-        if dtypes != (STATE, BALL, SHAPE, HIT):
-            raise SnapshotError("snapshot is of another version of carom")
-        for rows in (self.balls, self.shapes):
-            ids = rows["id"]
-            if rows.ndim != 1 or (len(ids) and (np.diff(ids) <= 0).any()):
-                raise SnapshotError("snapshot has ids out of order")
-            if len(ids) and not 0 < int(ids[0]) <= int(ids[-1]) < int(self.state["next_id"]):
-                raise SnapshotError("snapshot has ids out of range")
-        if (self.shapes["kind"] > ARC).any() or (self.shapes["motion"] > KINEMATIC).any():
-            raise SnapshotError("snapshot has shapes of unknown kinds")
-        for kind, ball, other in self.relations:
-            others = self.balls if kind == INSIDE_BALL else self.shapes
-            if not (PASSING <= kind <= INSIDE_BALL and 0 <= ball < len(self.balls) and 0 <= other < len(others)):
-                raise SnapshotError("snapshot has relations of unknown rows")
-        parts = [part for compound in self.header["compounds"] for part in compound["parts"]]
-        known = set(self.shapes["id"].tolist())
-        if not set(parts) <= known or len(set(parts)) < len(parts) or not set(self.header["added"]) <= known:
-            raise SnapshotError("snapshot has compounds of unknown parts")
-        if any(not 0 <= compound["surface"].get("layer", 1) <= ALL_LAYERS for compound in self.header["compounds"]):
-            raise SnapshotError("snapshot has a compound on an unknown layer")
+def _read(snapshot: Any) -> Contents:
+    """What a snapshot holds, checked; raises `SnapshotError` where that is not what a world can be in."""
+    if not isinstance(snapshot, (bytes, bytearray, memoryview)):
+        raise SnapshotError(f"snapshot must be bytes, not {type(snapshot).__name__}")
+    data = bytes(snapshot)
+    start = len(MAGIC) + HASH_SIZE
+    if not data.startswith(MAGIC) or len(data) < start:
+        raise SnapshotError("snapshot must begin with the line that carom's snapshots begin with")
+    if _hash(data[start:]) != data[len(MAGIC) : start]:
+        raise SnapshotError("snapshot is damaged: its hash is not that of its contents")
+    try:
+        file = io.BytesIO(data[start:])
+        text, *tables = [np.lib.format.read_array(file, allow_pickle=False) for _ in range(6)]
+        contents = Contents(json.loads(text.tobytes().decode()), *tables)
+        if file.read(1):
+            raise SnapshotError("snapshot has more in it than a world")
+        check_contents(contents)
+    except SnapshotError:
+        raise
+    except Exception as error:  # noqa: BLE001  # NumPy's and JSON's readers raise many kinds
+        raise SnapshotError(f"snapshot cannot be read: {error}") from None
+    return contents
 
 
 def read_snapshot(world: World, snapshot: bytes) -> None:
     """Nothing; makes a world what the snapshot says, or raises `SnapshotError` and leaves it as it was."""
-    parts = _Parts(snapshot)
+    contents = _read(snapshot)
     room = world._room
-    kinds = {int(row["id"]): int(row["kind"]) for row in parts.shapes}
-    kinds.update({int(row["id"]): Ball._KIND for row in parts.balls})
-    kept = {key: member for key, member in world._objects.items() if kinds.get(key) == member._KIND}
-    compounds = [shape for shape in world._added.values() if isinstance(shape, Compound)]
-    for key, member in world._objects.items():
-        if key not in kept:
-            leave_world(member)
-    for table, rows in ((room.balls, parts.balls), (room.shapes, parts.shapes)):
+    kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
+    kinds.update({int(key): Ball._KIND for key in contents.balls["id"]})
+    left = [member for key, member in world._objects.items() if kinds.get(key) != member._KIND]
+    world._objects = {key: member for key, member in world._objects.items() if kinds.get(key) == member._KIND}
+    for member in left:
+        member._leave()
+    for table, rows in ((room.balls, contents.balls), (room.shapes, contents.shapes)):
         table.rows = rows.copy()
         table.count = len(rows)
-    room.states[0] = parts.state
-    room.hits = np.concatenate([parts.hits, np.zeros(64, HIT)])
-    room.states[0]["hits"] = len(parts.hits)
-    set_relations(room, parts.relations)
+    room.states[0] = contents.state[0]
+    room.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
+    room.states[0]["hits"] = len(contents.hits)
+    set_relations(room, contents.relation_list)
     room.prepare()
     _keep_saved(world)
-    world._objects = kept
-    _restore_objects(world, parts, compounds)
+    # Ids that were given after the snapshot was taken will be given again, to others.
+    world._gone.clear()
+    world._left = contents.balls[:0].copy()
     world._arguments = None
     world._dt = -1.0
+    _restore_objects(world, contents, left)
 
 
 def _keep_saved(world: World) -> None:
@@ -183,32 +139,56 @@ def _keep_saved(world: World) -> None:
         room.saved[field][: room.balls.count] = room.balls.used[field]
 
 
-def _restore_objects(world: World, parts: _Parts, compounds: list[Compound]) -> None:
+def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:
     """Nothing; makes the shapes that are missing, and the compounds, and gives all their names."""
-    for row in parts.shapes:
+    for row in contents.shapes:
         key = int(row["id"])
         if key not in world._objects:
             shape_class = SHAPE_CLASSES[int(row["kind"])]
             world._objects[key] = shape_class._of_row(world, world._room.shapes, key)
     for member in world._objects.values():
         member._name = None
-    for key, name in parts.header["names"].items():
+    for key, name in contents.header["names"].items():
         world.object(int(key)).name = name
-    known = {id(shape.center_point): shape for shape in compounds}
-    by_center: dict[int, Compound] = {}
-    for entry in parts.header["compounds"]:
-        members = [world._objects[part] for part in entry["parts"]]
-        compound = known.pop(id(members[0]), None) or Compound.__new__(Compound)
-        if not hasattr(compound, "user"):
+    compounds = _restore_compounds(world, contents)
+    _regroup(world, compounds, left)
+    centers = {compound.id: compound for compound in compounds}
+    world._added = {}
+    for key in contents.shapes["id"].tolist():
+        member = world._objects[key]
+        if key in centers:
+            world._added[key] = centers[key]
+        elif isinstance(member, Shape) and member.compound is None:
+            world._added[key] = member
+
+
+def _restore_compounds(world: World, contents: Contents) -> list[Compound]:
+    """The compounds that the snapshot names: those of the world whose center point is kept, and new ones."""
+    known = {shape.id: shape for shape in world._added.values() if isinstance(shape, Compound)}
+    restored: list[Compound] = []
+    for entry in contents.header["compounds"]:
+        compound = known.get(entry["parts"][0])
+        if compound is None:
+            compound = Compound.__new__(Compound)
             compound.user = None
-        compound._parts = [member for member in members if isinstance(member, Shape)]
+        parts = [world._objects[part] for part in entry["parts"]]
+        compound._parts = [part for part in parts if isinstance(part, Shape)]
         compound._surface = dict(entry["surface"])
         compound._name = entry["name"]
-        for part in compound._parts:
-            part._compound = compound
-        by_center[entry["parts"][0]] = compound
-    world._added = {}
-    for key in parts.header["added"]:
-        member = world._objects[key]
+        restored.append(compound)
+    return restored
+
+
+def _regroup(world: World, compounds: list[Compound], left: list[Shape | Ball]) -> None:
+    """Nothing; tells every shape which compound it is part of now, and takes others out of the compounds they were in.
+
+    A shape that leaves the world stays in its compound, unless that stays in the world without it.
+    """
+    part_of = {part.id: compound for compound in compounds for part in compound._parts}
+    abandoned = [shape for shape in left if isinstance(shape, Shape) and shape.compound in compounds]
+    for member in (*world._objects.values(), *abandoned):
         if isinstance(member, Shape):
-            world._added[key] = by_center.get(key, member)
+            before, now = member.compound, part_of.get(member.id)
+            member._compound = now
+            if before is not None and before is not now and before not in compounds:
+                before._parts.remove(member)

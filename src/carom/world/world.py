@@ -21,7 +21,7 @@ from carom.shapes.shape import Shape
 from carom.world import compiled
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, NOT_FINITE, REFUSED
-from carom.world.removal import leave_world, remove_rows
+from carom.world.removal import remove_rows
 from carom.world.safety import is_sound, roll_back, was_changed
 from carom.world.settings import SETTINGS, Settings
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
@@ -226,7 +226,7 @@ class World(Settings):
             for member_id in table.used["id"][gone]:
                 member = self._objects.pop(int(member_id), None)
                 if member is not None:
-                    leave_world(member)
+                    member._leave()
                     self._gone[int(member_id)] = member
         remove_rows(self._room, balls, shapes)
         self._rearrange()

@@ -1,0 +1,206 @@
+"""Whether what a snapshot holds is a state that a world can be in: everything is checked before anything is changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isclose
+from typing import Any
+
+import numpy as np
+
+from carom.constants import SNAPSHOT_TOLERANCE, TWO_PI
+from carom.errors import InvalidArgument, SnapshotError
+from carom.rows import ARC, BALL, CIRCLE, GATE, KINEMATIC, NO_RELATION, POINT, SEGMENT, SHAPE, STATIC, Rows
+from carom.shapes.compound import Compound
+from carom.shapes.pose import derive
+from carom.world.layout import EXIT, HIT, INSIDE_BALL, INSIDE_SHAPE, PASSING, STATE
+from carom.world.removal import Relation
+from carom.world.settings import SETTINGS, Settings
+from carom.world.statistics import COUNTERS
+from carom.world.tables import clear_kernel_place
+
+#: Fields of the state that only say how its tables stand, which a snapshot leaves at 0.
+DERIVED = (
+    "hits",
+    "relations",
+    "relations_high",
+    "free_relation",
+    "fixed",
+    "index_stale",
+    "moving_stale",
+    "dt",
+    "step_hits",
+    "new_strays",
+    "wanted_hits",
+    "wanted_relations",
+    "wanted_pairs",
+    "wanted_starts",
+    "wanted_cells",
+    "wanted_members",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """What a snapshot holds: names and compounds, and the tables of a world."""
+
+    header: dict[str, Any]
+    state: Rows
+    balls: Rows
+    shapes: Rows
+    relations: Rows
+    hits: Rows
+
+    @property
+    def relation_list(self) -> list[Relation]:
+        """The relations as they are outside of a pool."""
+        return [tuple(row) for row in self.relations.tolist()]
+
+
+def check_contents(contents: Contents) -> None:
+    """Nothing; raises `SnapshotError` where the contents are not a state that a world can be in."""
+    tables = (contents.state, contents.balls, contents.shapes, contents.relations, contents.hits)
+    need([table.dtype for table in tables] == [STATE, BALL, SHAPE, np.dtype("i8"), HIT], "tables of another version")
+    need([table.ndim for table in tables] == [1, 1, 1, 2, 1], "tables of another form")
+    _check_state(contents)
+    _check_balls(contents.balls)
+    _check_shapes(contents.shapes)
+    _check_relations(contents)
+    _check_hits(contents)
+    _check_header(contents)
+
+
+def need(right: Any, fault: str) -> None:
+    """Nothing; raises `SnapshotError` unless something is right."""
+    if not right:
+        raise SnapshotError(f"snapshot has {fault}")
+
+
+def _check_state(contents: Contents) -> None:
+    """Nothing; raises where settings, counts or time are none that a world can have."""
+    need(len(contents.state) == 1, "more than one state")
+    state = contents.state[0]
+    expected = contents.state.copy()
+    clear_kernel_place(expected[0])
+    for name in (*DERIVED, *COUNTERS):
+        expected[name] = 0 if name in DERIVED else abs(state[name])
+    expected["balls"], expected["shapes"] = len(contents.balls), len(contents.shapes)
+    expected["sleeping"] = np.count_nonzero(contents.balls["asleep"])
+    expected["wake"] = state["wake"] != 0
+    for name in SETTINGS:
+        setting = vars(Settings)[name]
+        try:
+            setting._write(expected[0], setting.check(name, setting._read(state)))
+        except (InvalidArgument, IndexError) as error:
+            raise SnapshotError(f"snapshot has a bad setting: {error}") from None
+    need(expected.tobytes() == contents.state.tobytes(), "a state that no world is in between two steps")
+    need(0.0 <= float(state["time"]) < np.inf and 0.0 <= float(state["reach"]) < np.inf, "a time that is not finite")
+    for rows in (contents.balls, contents.shapes):
+        ids = rows["id"]
+        need((np.diff(ids) > 0).all(), "ids out of order")
+        need(not len(ids) or 0 < ids[0] <= ids[-1] < state["next_id"], "ids out of range")
+    need(not np.intersect1d(contents.balls["id"], contents.shapes["id"]).size, "an id twice")
+
+
+def _check_balls(balls: Rows) -> None:
+    """Nothing; raises where what only balls' setters write is wrong. What views may write, the next step checks."""
+    need((balls["relation"] == NO_RELATION).all(), "balls with relations of their own")
+    need((np.isfinite(balls["elasticity"]) & (balls["elasticity"] >= 0.0)).all(), "balls with a bad elasticity")
+    need((np.isfinite(balls["still_time"]) & (balls["still_time"] >= 0.0)).all(), "balls with a bad time of rest")
+    for field in ("sensor", "can_collide", "asleep", "stray"):
+        need((balls[field] <= 1).all(), "balls with bad switches")
+
+
+def _check_shapes(shapes: Rows) -> None:
+    """Nothing; raises where a shape is none that constructors and setters let through."""
+    kinds, motions = shapes["kind"], shapes["motion"]
+    need((kinds <= ARC).all() and (motions <= KINEMATIC).all(), "shapes of unknown kinds")
+    for field in SHAPE.names or ():
+        if shapes[field].dtype.kind == "f":
+            need(np.isfinite(shapes[field]).all(), "shapes that are not finite")
+    need((shapes["spare"] == 0).all(), "shapes of another version")
+    for field in ("sensor", "can_collide", "solid", "rotating", "turn_limited"):
+        need((shapes[field] <= 1).all(), "shapes with bad switches")
+    need((shapes["elasticity"] >= 0.0).all() and (shapes["kick"] >= 0.0).all(), "shapes with a bad elasticity or kick")
+    need((shapes["radius"][(kinds == CIRCLE) | (kinds == ARC)] > 0.0).all(), "circles with a bad radius")
+    moving = (shapes["angular_velocity"] != 0.0) | (shapes["velocity_x"] != 0.0) | (shapes["velocity_y"] != 0.0)
+    need(not ((moving | (shapes["turn_limited"] != 0)) & (motions == STATIC)).any(), "static shapes that move")
+    limited = shapes[shapes["turn_limited"] != 0]
+    inside = (limited["turn_low"] <= limited["orientation"]) & (limited["orientation"] <= limited["turn_high"])
+    need((inside & (limited["turn_low"] <= 0.0) & (limited["turn_high"] >= 0.0)).all(), "shapes beyond their stops")
+    arcs = shapes[kinds == ARC]
+    for field in ("start_angle", "end_angle", "initial_start_angle", "initial_end_angle"):
+        need(((arcs[field] >= 0.0) & (arcs[field] < TWO_PI)).all(), "arcs with bad angles")
+    need((arcs["initial_start_angle"] != arcs["initial_end_angle"]).all(), "arcs of no length")
+    need(all(map(_agrees, shapes.tolist())), "shapes whose parts do not agree")
+
+
+def _agrees(values: tuple[Any, ...]) -> bool:
+    """Whether what follows from a shape's geometry (ends, tangent, middle, box) is what its row says.
+
+    Not to the bit: on another machine sines and cosines may have other last digits.
+    """
+    row = dict(zip(SHAPE.names or (), values, strict=True))
+    derived = dict(row)
+    derive(derived)
+    size = max(abs(row[field]) for field in ("left", "bottom", "right", "top", "radius", "length"))
+    near = {name: SNAPSHOT_TOLERANCE * (1.0 if name in ("tx", "ty") else size) for name in row}
+    if row["kind"] in (SEGMENT, GATE) and (row["ax"], row["ay"]) == (row["bx"], row["by"]):
+        return False
+    if row["kind"] == GATE and not isclose(row["dx"] ** 2 + row["dy"] ** 2, 1.0, abs_tol=SNAPSHOT_TOLERANCE):
+        return False
+    return all(isclose(row[name], derived[name], rel_tol=0.0, abs_tol=near[name]) for name in row)
+
+
+def _check_relations(contents: Contents) -> None:
+    """Nothing; raises where a relation is of rows that are not there, or of kinds that have none."""
+    need(contents.relations.shape[1] == 3, "relations of another form")
+    kinds = contents.shapes["kind"]
+    for kind, ball, other in contents.relation_list:
+        others = contents.balls if kind == INSIDE_BALL else contents.shapes
+        need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL), "relations of unknown kinds")
+        need(0 <= ball < len(contents.balls) and 0 <= other < len(others), "relations of unknown rows")
+        need(kind != INSIDE_BALL or other < ball, "relations of balls in the wrong order")
+        need(kind != PASSING or kinds[other] in (SEGMENT, GATE, ARC), "balls that pass what nothing passes")
+    need(len(set(contents.relation_list)) == len(contents.relations), "a relation twice")
+
+
+def _check_hits(contents: Contents) -> None:
+    """Nothing; raises where a pending hit cannot have happened."""
+    hits, next_id = contents.hits, contents.state[0]["next_id"]
+    need((hits["kind"] >= 0).all() and (hits["kind"] <= EXIT).all(), "hits of unknown kinds")
+    need(np.isfinite(hits["time"]).all(), "hits at no time")
+    for field in ("ball", "shape"):
+        need((hits[field] > 0).all() and (hits[field] < next_id).all(), "hits of unknown ids")
+
+
+def _check_header(contents: Contents) -> None:
+    """Nothing; raises where names or compounds are of what is not there."""
+    header = contents.header
+    need(set(header) == {"names", "compounds"}, "another header")
+    shapes = {int(row["id"]): (int(row["kind"]), int(row["motion"])) for row in contents.shapes}
+    known = {str(key) for key in (*shapes, *contents.balls["id"].tolist())}
+    need(set(header["names"]) <= known, "names of nothing")
+    need(all(isinstance(name, str) for name in header["names"].values()), "names that are no text")
+    taken: list[int] = []
+    for compound in header["compounds"]:
+        need(set(compound) == {"parts", "name", "surface"}, "compounds of another form")
+        parts = compound["parts"]
+        need(all(type(part) is int and part in shapes for part in parts), "compounds of unknown parts")
+        need(parts and shapes[parts[0]][0] == POINT, "a compound without a center point")
+        need(all(shapes[part][1] == KINEMATIC for part in parts), "compounds that do not move")
+        need(compound["name"] is None or isinstance(compound["name"], str), "names that are no text")
+        _check_surface(compound["surface"])
+        taken += parts
+    need(len(set(taken)) == len(taken), "a shape in two compounds")
+
+
+def _check_surface(surface: dict[str, Any]) -> None:
+    """Nothing; raises where what was set for all parts of a compound cannot be."""
+    probe = Compound([], (0.0, 0.0))
+    try:
+        for name, value in surface.items():
+            setattr(probe, name, value)
+    except (AttributeError, InvalidArgument) as error:
+        raise SnapshotError(f"snapshot has a compound with a bad surface: {error}") from None
+    need(probe._surface == surface, "a compound with a surface of another form")
