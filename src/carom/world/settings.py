@@ -130,24 +130,22 @@ def box(doc: str) -> Setting[Aabb | None]:
     def check(name: str, value: Any) -> Aabb | None:
         if value is None or isinstance(value, Aabb):
             return value
+        needed = "must be an Aabb, four numbers or None"
+        if isinstance(value, (str, bytes, dict, set, frozenset)):
+            raise checks.refuse(name, needed, value)
         try:
             left, bottom, right, top = value
         except (TypeError, ValueError):
-            raise checks.refuse(name, "must be an Aabb, four numbers or None", value) from None
+            raise checks.refuse(name, needed, value) from None
         try:
             return Aabb(left, bottom, right, top)
         except InvalidArgument as error:
             raise InvalidArgument(f"{name}: {error}") from None
 
     def write(state: Row, value: Aabb | None) -> None:
+        sides = (0.0, 0.0, 0.0, 0.0) if value is None else (value.left, value.bottom, value.right, value.top)
         state["bounded"] = value is not None
-        if value is not None:
-            state["left"], state["bottom"], state["right"], state["top"] = (
-                value.left,
-                value.bottom,
-                value.right,
-                value.top,
-            )
+        state["left"], state["bottom"], state["right"], state["top"] = sides
 
     def read(state: Row) -> Aabb | None:
         if not state["bounded"]:
