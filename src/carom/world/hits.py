@@ -88,6 +88,9 @@ class Hits(np.ndarray[Any, np.dtype[Any]]):
             return self._hit(item)
         return item if getattr(item, "dtype", None) == HIT else np.asarray(item)
 
+    def __bool__(self) -> bool:
+        return len(self) > 0
+
     def __repr__(self) -> str:
         return f"<{len(self)} hits>"
 

@@ -56,7 +56,9 @@ class Balls(Sequence["Ball"]):
         """Two columns that stand side by side, as an (n, 2) view."""
         rows = self._world._room.balls.used
         columns: Any = BALL.fields
-        return np.ndarray((len(rows), 2), np.float64, rows, columns[field][1], (BALL.itemsize, 8))
+        first = columns[field][1] // 8
+        pairs: NDArray[np.float64] = rows.view(np.float64).reshape(len(rows), BALL.itemsize // 8)[:, first : first + 2]
+        return pairs
 
     @property
     def position(self) -> NDArray[np.float64]:
@@ -112,7 +114,7 @@ class Shapes(Sequence["Shape | Compound"]):
         return iter(list(self._world._added.values()))
 
     def __contains__(self, shape: object) -> bool:
-        return getattr(shape, "world", None) is self._world and getattr(shape, "kind", "ball") != "ball"
+        return any(shape is member for member in self._world._added.values())
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"
