@@ -126,7 +126,7 @@ class Picture:
             shape_mark(painter, self.frame, shape, look, self.weight)
         for shape, _ in self.shapes:
             if isinstance(shape, Gate):
-                arrow_mark(painter, self.frame, shape.position, shape.direction, GATE.style)
+                arrow_mark(painter, self.frame, shape.position, open_way(shape), GATE.style)
         for pivot in dict.fromkeys(rounded(shape.pivot) for shape, look in self.shapes if look is MOVING):
             pivot_mark(painter, self.frame, pivot)
 
@@ -145,6 +145,12 @@ class Picture:
         for (x, y), impulse in zip(self.hits["point"].tolist(), self.hits["impulse"].tolist(), strict=True):
             if self.frame.shows(x, y):
                 hit_mark(painter, self.frame, (x, y), impulse / strong, self.weight)
+
+
+def open_way(gate: Gate) -> Vector:
+    """The unit normal of `gate` on the side that it lets balls pass to, however slanted its direction is."""
+    (x, y), (dx, dy) = gate.normal, gate.direction
+    return (x, y) if x * dx + y * dy > 0.0 else (-x, -y)
 
 
 def corners(left: float, low: float, right: float, high: float) -> tuple[Vector, Vector, Vector, Vector]:

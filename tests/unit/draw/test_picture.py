@@ -11,6 +11,7 @@ from carom import draw
 from carom.draw.frame import MARGIN, PANEL_WIDTH
 from carom.draw.legend import seconds
 from carom.draw.looks import BUMPER, GATE, GUARD, MOVING, OFF, POST, SENSOR, WALL, Look, look_of
+from carom.draw.picture import open_way
 
 SVG = "{http://www.w3.org/2000/svg}"
 PICTURES = Path(__file__).parents[3] / "docs" / "pictures"
@@ -89,6 +90,11 @@ def test_a_compound_is_drawn_part_by_part_with_one_pivot() -> None:
 def test_a_gate_has_an_arrow() -> None:
     shapes = layer(drawn(world_of(carom.Gate((0, 0), (1, 0)))), "shapes")
     assert len(shapes.findall(f".//{SVG}polygon")) == 1
+
+
+@pytest.mark.parametrize(("direction", "way"), [((5, 0.1), (0, 1)), ((5, -0.1), (0, -1)), (None, (0, 1))])
+def test_an_arrow_stands_square_to_its_gate(direction: tuple[float, float] | None, way: tuple[float, float]) -> None:
+    assert open_way(carom.Gate((0, 0), (1, 0), direction=direction)) == way
 
 
 def test_a_still_picture_counts_what_there_is() -> None:
