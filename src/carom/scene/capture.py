@@ -7,17 +7,17 @@ from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from carom.rows import Motion
-from carom.scene.descriptors import (
-    MOTION_FIELDS,
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
+from carom.scene.shape_descriptors import (
+    PART_IS_SILENT_ON,
     ArcDescriptor,
-    BallDescriptor,
     CircleDescriptor,
     CompoundDescriptor,
     GateDescriptor,
+    MovingDescriptor,
     Part,
     PointDescriptor,
     SegmentDescriptor,
-    WorldDescriptor,
 )
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -62,13 +62,13 @@ def _described_shape(shape: Shape) -> Part:
 
 def _described_part(shape: Shape) -> Part:
     """The descriptor of a shape in a compound, which says nothing of how it moves."""
-    names = [name for name in _DESCRIPTORS[shape.kind].model_fields if name not in MOTION_FIELDS]
+    names = [name for name in _DESCRIPTORS[shape.kind].model_fields if name not in PART_IS_SILENT_ON]
     return _DESCRIPTORS[shape.kind](**_fields(_unturned(shape), names))
 
 
 def _described_compound(compound: Compound) -> CompoundDescriptor:
     """The descriptor of a compound with all of its parts, each with its own surface."""
-    names = ("name", *MOTION_FIELDS[1:])  # that it is kinematic goes without saying
+    names = ("name", "pivot", *MovingDescriptor.model_fields)
     parts = tuple(_described_part(part) for part in compound.shapes)
     return CompoundDescriptor(shapes=parts, **_fields(compound, names))
 

@@ -10,11 +10,13 @@ from pydantic import BaseModel, BeforeValidator, Field, ValidationError
 from carom.checks import refuse
 from carom.errors import InvalidArgument, SceneError
 from carom.scene.capture import described_all, described_world
-from carom.scene.descriptors import BallDescriptor, CompoundDescriptor, Descriptor, Part, WorldDescriptor
+from carom.scene.descriptor import Descriptor
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.faults import faults_of, scene_error
 from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.scene.guarding import guarded
+from carom.scene.shape_descriptors import CompoundDescriptor, Part
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -36,11 +38,17 @@ class Scene(Descriptor):
     """
 
     version: Literal[1]
+    """The version of the file's form: 1."""
     name: Text | None = None
+    """What the scene is called."""
     guard: bool = False
+    """Whether the world gets the points that bare ends need."""
     world: WorldDescriptor = WorldDescriptor()
+    """The world's settings."""
     shapes: ShapeList = ()
+    """The shapes and compounds, in the order in which they are added."""
     balls: BallList = ()
+    """The balls, likewise."""
 
     def __init__(self, /, **fields: Any) -> None:
         self._fill({"version": VERSION} | fields)

@@ -7,14 +7,9 @@ import pytest
 from pydantic import BaseModel
 
 import carom
-from carom.scene.descriptors import (
-    MOTION_FIELDS,
-    BallDescriptor,
-    CompoundDescriptor,
-    Descriptor,
-    ShapeDescriptor,
-    WorldDescriptor,
-)
+from carom.scene.descriptor import Descriptor
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
+from carom.scene.shape_descriptors import PART_IS_SILENT_ON, CompoundDescriptor, ShapeDescriptor
 from carom.world.settings import SETTINGS, Settings
 
 NOT_TEXT = (3, 1.5, True, ["a"], b"a", "\ud800")
@@ -138,7 +133,7 @@ def test_no_descriptor_is_forgotten_here() -> None:
 def test_bad_values_are_refused_with_their_path(place: str, table: dict[str, Any], field: str) -> None:
     assert carom.Scene(**scene_with(place, table))
     path = f"{place}.{field}".lstrip(".")
-    motion = {"motion": "kinematic"} if field in MOTION_FIELDS[1:] and place == "shapes[0]" else {}
+    motion = {"motion": "kinematic"} if field in (*PART_IS_SILENT_ON[:5], "pivot") and place == "shapes[0]" else {}
     motion = {} if table.get("kind") == "compound" else motion
     for value in BAD[field]:
         with pytest.raises(carom.SceneError, match=r"must|is missing") as caught:
@@ -261,7 +256,7 @@ def test_a_compound_is_built_as_described() -> None:
     assert (vane.name, vane.pivot, vane.angular_velocity) == ("vane", (0.0, 0.0), 2.0)
 
 
-@pytest.mark.parametrize("field", MOTION_FIELDS)
+@pytest.mark.parametrize("field", PART_IS_SILENT_ON)
 def test_a_part_does_not_say_how_it_moves(field: str) -> None:
     values = {"pivot": (0, 0), "rotating": False, "orientation": 0.5, "turn_limits": (0, 1), "velocity": (1, 0)}
     part = SHAPES["circle"] | {"motion": "kinematic", field: values.get(field, {"motion": "kinematic"}.get(field, 1.0))}

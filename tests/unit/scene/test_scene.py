@@ -152,3 +152,11 @@ def test_the_json_schema_knows_every_field() -> None:
         definition = schema["$defs"][kind]
         assert definition["required"][0] == "kind"
         assert definition["additionalProperties"] is False
+
+
+def test_the_json_schema_explains_every_field() -> None:
+    schema = carom.Scene.json_schema()
+    for definition in (schema, *schema["$defs"].values()):
+        assert definition["description"]
+        for name, field in definition["properties"].items():
+            assert name == "kind" or field["description"].endswith("."), name

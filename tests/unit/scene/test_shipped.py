@@ -8,7 +8,7 @@ import pytest
 
 import carom
 from carom import scenes
-from carom.scene.descriptors import CompoundDescriptor
+from carom.scene.shape_descriptors import CompoundDescriptor
 
 NAMES = ("galton", "gas", "newtons_cradle", "pinball", "pool", "sinai", "stadium", "toy")
 NOT_COUNTS = (0, -1, 1.0, "5", None, True, 10**7)

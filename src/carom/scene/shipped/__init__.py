@@ -7,12 +7,12 @@ from difflib import get_close_matches
 from carom.errors import SceneError
 from carom.scene.scene import Scene
 from carom.scene.shipped.billiards import sinai, stadium
-from carom.scene.shipped.galton import galton
-from carom.scene.shipped.gas import gas
-from carom.scene.shipped.newtons_cradle import newtons_cradle
-from carom.scene.shipped.pinball import pinball
-from carom.scene.shipped.pool import pool
-from carom.scene.shipped.toy import toy
+from carom.scene.shipped.cradle import newtons_cradle
+from carom.scene.shipped.galton_board import galton
+from carom.scene.shipped.gas_box import gas
+from carom.scene.shipped.pinball_table import pinball
+from carom.scene.shipped.pool_table import pool
+from carom.scene.shipped.toy_table import toy
 
 #: The shipped scenes, and nothing else.
 __all__ = ["galton", "gas", "newtons_cradle", "pinball", "pool", "sinai", "stadium", "toy"]

@@ -9,8 +9,9 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from carom.scene.descriptors import ArcDescriptor, BallDescriptor, CircleDescriptor, WorldDescriptor
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
+from carom.scene.shape_descriptors import ArcDescriptor, CircleDescriptor
 from carom.scene.shipped.outline import polar, walls
 
 BALLS = 5

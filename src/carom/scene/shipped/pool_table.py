@@ -10,8 +10,9 @@ from math import cos, hypot, radians, sin, tan
 from typing import Any
 
 from carom.checks import Vector
-from carom.scene.descriptors import BallDescriptor, CircleDescriptor, GateDescriptor, WorldDescriptor
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
+from carom.scene.shape_descriptors import CircleDescriptor, GateDescriptor
 from carom.scene.shipped.outline import Disc, rounded
 
 LENGTH, WIDTH = 254.0, 127.0

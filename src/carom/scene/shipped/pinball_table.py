@@ -11,16 +11,15 @@ from math import acos, cos, pi, radians, sin
 from typing import Any
 
 from carom.checks import Vector
-from carom.scene.descriptors import (
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
+from carom.scene.scene import Scene
+from carom.scene.shape_descriptors import (
     ArcDescriptor,
-    BallDescriptor,
     CircleDescriptor,
     CompoundDescriptor,
     GateDescriptor,
     SegmentDescriptor,
-    WorldDescriptor,
 )
-from carom.scene.scene import Scene
 from carom.scene.shipped.outline import band, mirrored, polar, rounded
 
 WIDTH, HEIGHT = 20.0, 42.0

@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from carom.checks import Vector, whole
-from carom.scene.descriptors import BallDescriptor, CircleDescriptor, WorldDescriptor
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
+from carom.scene.shape_descriptors import CircleDescriptor
 from carom.scene.shipped.outline import walls
 
 ROW_HEIGHT = 0.9

@@ -10,17 +10,16 @@ from math import pi, radians
 from typing import Any
 
 from carom.checks import Vector
-from carom.scene.descriptors import (
+from carom.scene.descriptors import BallDescriptor, WorldDescriptor
+from carom.scene.scene import Scene
+from carom.scene.shape_descriptors import (
     ArcDescriptor,
-    BallDescriptor,
     CircleDescriptor,
     CompoundDescriptor,
     GateDescriptor,
     PointDescriptor,
     SegmentDescriptor,
-    WorldDescriptor,
 )
-from carom.scene.scene import Scene
 from carom.scene.shipped.outline import polar, walls
 
 WIDTH, HEIGHT = 32.0, 24.0
