@@ -104,18 +104,28 @@ def array(
 
     All values must be finite, greater than `above` and not less than `least`.
     """
+    needed = f"must be numbers of shape {('n', *shape[1:]) if shape[0] < 0 else shape}"
     try:
-        result = np.asarray(value, dtype=np.float64)
-        if shape[0] >= 0:
-            result = np.broadcast_to(result, shape)
+        given = np.asarray(value)
+        if given.dtype.kind not in "iuf":
+            raise TypeError
+        given = given.astype(np.float64)
+        result = given if shape[0] < 0 else np.broadcast_to(given, shape)
     except (TypeError, ValueError):
-        raise refuse(name, f"must be numbers of shape {shape}", value) from None
+        raise refuse(name, needed, value) from None
     if result.ndim != len(shape) or result.shape[1:] != shape[1:]:
-        raise refuse(name, f"must be numbers of shape {('n', *shape[1:])}", value)
-    if not np.isfinite(result).all():
-        raise refuse(name, "must be finite", value)
-    if above is not None and not (result > above).all():
-        raise refuse(name, "must be positive", value)
-    if least is not None and not (result >= least).all():
-        raise refuse(name, "must not be negative", value)
+        raise refuse(name, needed, value)
+    _check_all(name, "must be finite", given, np.isfinite(given))
+    if above is not None:
+        _check_all(name, "must be positive", given, given > above)
+    if least is not None:
+        _check_all(name, "must not be negative", given, given >= least)
     return result
+
+
+def _check_all(name: str, must: str, given: NDArray[np.float64], good: NDArray[np.bool_]) -> None:
+    """Nothing; raises for the first value that is not good, naming its place."""
+    if not good.all():
+        place = np.unravel_index(int(np.argmin(good)), given.shape)
+        index = f"[{', '.join(str(int(number)) for number in place)}]" if place else ""
+        raise refuse(name + index, must, float(given[place]))

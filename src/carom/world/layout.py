@@ -103,7 +103,7 @@ STATE = np.dtype(
         ("pairs", "i8"),
         ("found", "i8"),  # overlaps that this iteration has met
         ("step_hits", "i8"),  # hits there were when the step began
-        ("new_strays", "i8"),
+        ("outside", "i8"),  # balls wholly outside of the bounds
         ("wanted_hits", "i8"),
         ("wanted_relations", "i8"),
         ("wanted_pairs", "i8"),

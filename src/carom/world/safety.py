@@ -51,7 +51,7 @@ def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows
         state["reach"] = largest
         state["index_stale"] = 1
     state["substep"] = 0
-    state["new_strays"] = 0
+    state["outside"] = 0
     state["stage_entered"] = 0
     state["stage"] = MOVE
     return DONE
@@ -131,18 +131,18 @@ def end_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, 
     state["time"] += state["dt"]
     state["steps_left"] -= 1
     state["stage"] = BEGIN
-    return HAS_STRAYS if state["new_strays"] > 0 and state["remove_strays"] != 0 else DONE
+    return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
 
 
 def find_strays(state: Row, balls: Rows) -> None:
-    """Mark the balls that lie wholly outside of the bounds, and count those that did not before."""
+    """Mark and count the balls that lie wholly outside of the bounds; those that did not before count as strays."""
     left, bottom = float(state["left"]), float(state["bottom"])
     right, top = float(state["right"]), float(state["top"])
     for i in range(state["balls"]):
         ball = balls[i]
         x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
         outside = x + radius < left or x - radius > right or y + radius < bottom or y - radius > top
-        if outside and ball["stray"] == 0:
-            state["strays"] += 1
-            state["new_strays"] += 1
+        if outside:
+            state["outside"] += 1
+            state["strays"] += 1 - ball["stray"]
         ball["stray"] = 1 if outside else 0

@@ -20,10 +20,10 @@ from carom.shapes import SHAPE_CLASSES
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
+from carom.world.departed import Departed
 from carom.world.layout import HIT
 from carom.world.removal import relations_in_order, set_relations
 from carom.world.snapshot_check import DERIVED, Contents, check_contents
-from carom.world.tables import clear_kernel_place
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -51,7 +51,6 @@ def _payload(world: World) -> bytes:
     """The arrays of a snapshot, one after the other."""
     room = world._room
     state = room.states[:1].copy()
-    clear_kernel_place(state[0])
     state["balls"], state["shapes"] = room.balls.count, room.shapes.count
     state["wake"] = world._will_wake()
     for field in DERIVED:
@@ -125,7 +124,8 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     room.prepare()
     _keep_saved(world)
     # Ids that were given after the snapshot was taken will be given again, to others.
-    world._gone.clear()
+    world._departed = Departed()
+    world._lent = None
     world._left = contents.balls[:0].copy()
     world._arguments = None
     world._dt = -1.0

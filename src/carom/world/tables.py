@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows import BALL, KINEMATIC, SHAPE, Row, Rows
+from carom.rows import ALL_LAYERS, BALL, KINEMATIC, NO_RELATION, SHAPE, Row, Rows
 from carom.shapes.table import Owner, Table
 from carom.world.layout import CELL, HIT, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
 
@@ -101,6 +103,8 @@ class Room:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
         state = self.states[0]
         state["balls"], state["shapes"] = self.balls.count, self.shapes.count
+        if not state["bounded"]:
+            self.balls.used["stray"] = 0
         rows = self.shapes.used
         self.order = np.lexsort((rows["kind"], rows["motion"])).astype("i4")
         kinematic = int(np.count_nonzero(rows["motion"] == KINEMATIC))
@@ -130,6 +134,13 @@ class Room:
         state = self.states[0]
         self.hits = self._at_least(self.hits, state["wanted_hits"], keep=int(state["hits"]))
 
+    def give_back(self, hits: Rows) -> None:
+        """Put hits that were taken before those that are here."""
+        state = self.states[0]
+        count = int(state["hits"])
+        self.hits = np.concatenate([hits, self.hits[:count], np.zeros(64, HIT)])
+        state["hits"] = len(hits) + count
+
     @staticmethod
     def _at_least(rows: Rows, wanted: int, keep: int = 0, slack: float = 2.0) -> Rows:
         """`rows`, or a longer copy if fewer than `wanted`."""
@@ -145,6 +156,30 @@ class Room:
         larger[:half] = self.relations[:half]
         larger[2 * wanted : 2 * wanted + high] = self.relations[half : half + high]
         self.relations = larger
+
+
+def new_balls(
+    position: ArrayLike, velocity: ArrayLike, radius: ArrayLike | None, mass: ArrayLike, elasticity: ArrayLike
+) -> Rows:
+    """The rows of balls that are not in a table yet, without ids; raises `InvalidArgument` for bad arguments."""
+    places = checks.array("position", position, (-1, 2))
+    count = len(places)
+    rows = np.zeros(count, BALL)
+    rows["x"], rows["y"] = places.T
+    rows["vx"], rows["vy"] = checks.array("velocity", velocity, (count, 2)).T
+    rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
+    rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
+    rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
+    with np.errstate(over="ignore"):
+        far = ~np.isfinite(np.abs(places).T + rows["radius"]).all(axis=0)
+    if far.any():
+        first = int(np.argmax(far))
+        raise checks.refuse(f"position[{first}]", "must leave the ball's box finite", tuple(places[first].tolist()))
+    rows["layer"] = 1
+    rows["collides_with"] = ALL_LAYERS
+    rows["can_collide"] = 1
+    rows["relation"] = NO_RELATION
+    return rows
 
 
 def clear_kernel_place(state: Row) -> None:

@@ -72,15 +72,15 @@ class Balls(Sequence["Ball"]):
 
     @property
     def radius(self) -> NDArray[np.float64]:
-        """Radii, a writable view of shape (n,). Asking for it wakes all balls, as it may be written to."""
-        self._world._states[0]["wake"] = 1
+        """Radii, a writable view of shape (n,)."""
+        lend(self._world)
         column: NDArray[np.float64] = self._world._room.balls.used["radius"]
         return column
 
     @property
     def mass(self) -> NDArray[np.float64]:
-        """Masses, a writable view of shape (n,). Asking for it wakes all balls, as it may be written to."""
-        self._world._states[0]["wake"] = 1
+        """Masses, a writable view of shape (n,)."""
+        lend(self._world)
         column: NDArray[np.float64] = self._world._room.balls.used["mass"]
         return column
 
@@ -92,6 +92,24 @@ class Balls(Sequence["Ball"]):
         return column
 
 
+def lend(world: World) -> None:
+    """Nothing; notes radii and masses as they are now, for they may be written to from now on."""
+    see_lent(world)
+    world._lent = world._room.balls.used[["radius", "mass"]].copy()
+
+
+def see_lent(world: World) -> None:
+    """Nothing; wakes all balls if radii or masses that were lent have been written to."""
+    lent, rows = world._lent, world._room.balls.used
+    if lent is None:
+        return
+    if len(lent) != len(rows):
+        world._lent = None
+    elif not np.array_equal(lent, rows[["radius", "mass"]]):
+        world._states[0]["wake"] = 1
+        world._lent = rows[["radius", "mass"]].copy()
+
+
 class Shapes(Sequence["Shape | Compound"]):
     """The shapes of a world in the order in which they were added; a compound is one of them, its parts are not."""
 
@@ -100,21 +118,25 @@ class Shapes(Sequence["Shape | Compound"]):
     def __init__(self, world: World) -> None:
         self._world = world
 
+    def _all(self) -> list[Shape | Compound]:
+        """What was added; a shape that has become part of a compound since is not one of them."""
+        return [shape for shape in self._world._added.values() if getattr(shape, "compound", None) is None]
+
     def __len__(self) -> int:
-        return len(self._world._added)
+        return len(self._all())
 
     @overload
     def __getitem__(self, index: int) -> Shape | Compound: ...
     @overload
     def __getitem__(self, index: slice) -> list[Shape | Compound]: ...
     def __getitem__(self, index: int | slice) -> Shape | Compound | list[Shape | Compound]:
-        return list(self._world._added.values())[index]
+        return self._all()[index]
 
     def __iter__(self) -> Iterator[Shape | Compound]:
-        return iter(list(self._world._added.values()))
+        return iter(self._all())
 
     def __contains__(self, shape: object) -> bool:
-        return any(shape is member for member in self._world._added.values())
+        return any(shape is member for member in self._all())
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"

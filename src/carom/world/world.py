@@ -5,7 +5,6 @@ from __future__ import annotations
 import time as clock
 from collections.abc import Callable
 from typing import Any, TypeVar
-from weakref import WeakValueDictionary
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,21 +12,23 @@ from numpy.typing import ArrayLike, NDArray
 from carom import checks
 from carom.checks import Vector
 from carom.errors import InvalidArgument, NonFiniteState
-from carom.rows import ALL_LAYERS, BALL, NO_RELATION, Motion, Rows
+from carom.rows import BALL, NO_RELATION, Motion, Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.world import compiled
+from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
-from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, NOT_FINITE, REFUSED
+from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.world.refusal import refusal
 from carom.world.removal import remove_rows
-from carom.world.safety import is_sound, roll_back, was_changed
+from carom.world.safety import roll_back, was_changed
 from carom.world.settings import SETTINGS, Settings
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
-from carom.world.tables import Room, clear_kernel_place
-from carom.world.views import Balls, Shapes
+from carom.world.tables import Room, clear_kernel_place, new_balls
+from carom.world.views import Balls, Shapes, see_lent
 
 T = TypeVar("T", bound=Shape | Ball | Compound)
 
@@ -35,6 +36,9 @@ NO_BALLS: Rows = np.zeros(0, BALL)
 
 #: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
 SLICE_SECONDS = 0.1
+
+#: Steps of a run at most; far beyond what can be waited for.
+MOST_STEPS = 2**62
 
 
 class World(Settings):
@@ -84,11 +88,12 @@ class World(Settings):
         """Nothing; begins with no objects at all."""
         self._objects: dict[int, Shape | Ball] = {}
         self._added: dict[int, Shape | Compound] = {}
-        self._gone: WeakValueDictionary[int, Shape | Ball] = WeakValueDictionary()
+        self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
         self._arguments: tuple[Rows, ...] | None = None
         self._dt = -1.0
+        self._lent: Rows | None = None
         self._no_hits = Hits.of(self, NO_ROWS)
 
     # -- what is in it -----------------------------------------------------------------------------------------------
@@ -110,7 +115,7 @@ class World(Settings):
             found = [self._object_of_hit(int(ball), self._left) for ball in self._left["id"]]
             return [ball for ball in found if isinstance(ball, Ball)]
         rows = self._room.balls.used
-        return [self._ball_of(int(ball)) for ball in rows["id"][rows["stray"] != 0]]
+        return [self._ball_of(int(ball)) for ball in rows["id"][rows["stray"] != 0]] if self.bounds is not None else []
 
     def add(self, shape: T) -> T:
         """`shape`, which is now in the world: a shape, a compound or a ball, live views of their rows here.
@@ -173,20 +178,11 @@ class World(Settings):
             elasticity: Likewise, 0 or more.
 
         Raises:
-            InvalidArgument: Something has another shape, is not finite, or not positive where it must be.
+            InvalidArgument: Something has another shape, is not finite, or not positive where it must be; or a ball's
+                box is not finite.
         """
-        places = checks.array("position", position, (-1, 2))
-        count = len(places)
-        rows = np.zeros(count, BALL)
-        rows["x"], rows["y"] = places.T
-        rows["vx"], rows["vy"] = checks.array("velocity", velocity, (count, 2)).T
-        rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
-        rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
-        rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
-        rows["layer"] = 1
-        rows["collides_with"] = ALL_LAYERS
-        rows["can_collide"] = 1
-        rows["relation"] = NO_RELATION
+        rows = new_balls(position, velocity, radius, mass, elasticity)
+        count = len(rows)
         table = self._room.balls
         table.reserve(table.count + count, doubling=False)
         rows["id"] = self._next_ids(count)
@@ -227,7 +223,7 @@ class World(Settings):
                 member = self._objects.pop(int(member_id), None)
                 if member is not None:
                     member._leave()
-                    self._gone[int(member_id)] = member
+                    self._departed.add(int(member_id), member)
         remove_rows(self._room, balls, shapes)
         self._rearrange()
 
@@ -253,12 +249,7 @@ class World(Settings):
 
     def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball:
         """The object that a hit names, which may have left the world since; `gone` are rows that left in that run."""
-        found = self._objects.get(member_id) or self._gone.get(member_id)
-        if found is None and gone is not None and member_id in gone["id"]:
-            found = Ball.__new__(Ball)
-            found.__setstate__((gone[gone["id"] == member_id], None, None))
-            found._row["id"] = 0
-            self._gone[member_id] = found
+        found = self._objects.get(member_id) or self._departed.find(member_id, gone)
         return found if found is not None else self.object(member_id)
 
     # -- changes -----------------------------------------------------------------------------------------------------
@@ -289,6 +280,7 @@ class World(Settings):
     def _will_wake(self) -> bool:
         """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
         state = self._states[0]
+        see_lent(self)
         if state["wake"] or not state["sleeping"]:
             return bool(state["wake"])
         state["balls"] = self._room.balls.count
@@ -313,7 +305,9 @@ class World(Settings):
             InvalidArgument: `dt` is negative or not finite, or a radius or mass was made so through a view.
             NonFiniteState: The state holds NaN or infinity; it is as it was before the step.
         """
-        return self._advance(1, checks.non_negative("dt", dt))
+        length = checks.non_negative("dt", dt)
+        self._departed.forget_oldest()
+        return self._advance(1, length)
 
     def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:
         """Every hit of `round(seconds / dt)` steps.
@@ -328,37 +322,54 @@ class World(Settings):
         """
         total = checks.non_negative("seconds", seconds)
         length = checks.positive("dt", dt)
+        if progress is not None and not callable(progress):
+            raise checks.refuse("progress", "must be callable or None", progress)
+        if total / length > MOST_STEPS:
+            raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={dt!r}", seconds)
         steps = round(total / length)
+        self._departed.forget_oldest()
         done = 0
         slice_steps = 1
         parts: list[Rows] = []
         gone: list[Rows] = []
-        while done < steps:
-            count = min(slice_steps, steps - done)
-            began = clock.perf_counter()
-            try:
+        try:
+            while done < steps:
+                count = min(slice_steps, steps - done)
+                began = clock.perf_counter()
                 hits = self._advance(count, length)
-            except (InvalidArgument, NonFiniteState) as error:
+                took = clock.perf_counter() - began
+                done += count
+                if len(hits):
+                    parts.append(hits.view(np.ndarray))
+                if hits._gone is not None:
+                    gone.append(hits._gone)
+                if progress is not None:
+                    progress(done * length, steps * length)
+                if took < SLICE_SECONDS:
+                    slice_steps = 2 * slice_steps
+                elif took > 2.0 * SLICE_SECONDS:
+                    slice_steps = max(slice_steps // 2, 1)
+        except BaseException as error:
+            if isinstance(error, (InvalidArgument, NonFiniteState)) and error.hits is not None:
                 error.hits = Hits.of(self, _joined([*parts, error.hits]), _joined(gone) if gone else None)
-                raise
-            took = clock.perf_counter() - began
-            done += count
-            if len(hits):
-                parts.append(hits.view(np.ndarray))
-            if hits._gone is not None:
-                gone.append(hits._gone)
-            if progress is not None:
-                progress(done * length, steps * length)
-            if took < SLICE_SECONDS:
-                slice_steps = 2 * slice_steps
-            elif took > 2.0 * SLICE_SECONDS:
-                slice_steps = max(slice_steps // 2, 1)
+            else:
+                self._give_back(parts, gone)
+            raise
         if gone:
             self._left = _joined(gone)
         return Hits.of(self, _joined(parts), _joined(gone) if gone else None)
 
+    def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
+        """Nothing; leaves the hits of a run that was interrupted to the next step or run."""
+        self._room.give_back(_joined(parts))
+        self._arguments = None
+        for rows in gone:
+            self._departed.keep_balls(rows)
+
     def _advance(self, steps: int, dt: float) -> Hits:
         """The hits of a number of steps, made without coming back to Python but for more room and for strays."""
+        if self._lent is not None:
+            see_lent(self)
         state = self._states[0]
         if self._arguments is None:
             self._room.prepare()
@@ -379,6 +390,7 @@ class World(Settings):
             if not isinstance(error, (NonFiniteState, InvalidArgument)) and state["stage"] != 0:
                 self._roll_back()
             clear_kernel_place(state)
+            self._arguments = None
             raise
         if not self._removed:
             return Hits.of(self, self._take_hits()) if state["hits"] else self._no_hits
@@ -393,8 +405,9 @@ class World(Settings):
         count = int(state["hits"])
         if count == 0:
             return NO_ROWS
+        rows = self._room.hits[:count].copy()
         state["hits"] = 0
-        return self._room.hits[:count].copy()
+        return rows
 
     def _serve(self, status: int) -> None:
         """Nothing; does what a kernel that came back needs before it can go on, or raises."""
@@ -407,24 +420,10 @@ class World(Settings):
             self._remove(strays, self._none_of(self._room.shapes.count))
             self._room.prepare()
         else:
-            raise self._failure(status)
+            error = refusal(status, self._room.balls.used)
+            error.hits = self._take_hits()
+            raise error
         self._arguments = self._room.arguments()
-
-    def _failure(self, status: int) -> InvalidArgument | NonFiniteState:
-        """The exception for a step that was refused, with the hits of the steps before it."""
-        rows = self._room.balls.used
-        if status == REFUSED:
-            bad = rows[(rows["radius"] <= 0.0) | (rows["mass"] <= 0.0)]
-            error: InvalidArgument | NonFiniteState = InvalidArgument(
-                f"radius and mass must be positive, not those of balls {_ids(bad)}"
-            )
-        else:
-            assert status == NOT_FINITE
-            bad = rows[[not (is_sound(row) and np.isfinite(row["radius"] + row["mass"])) for row in rows]]
-            which = f"balls {_ids(bad)} are not finite" if len(bad) else "balls became infinite in the step"
-            error = NonFiniteState(f"{which}; the world is as it was before the step")
-        error.hits = self._take_hits()
-        return error
 
     def _roll_back(self) -> None:
         """Nothing; undoes the part of a step that was interrupted in the interpreter."""
@@ -451,24 +450,28 @@ class World(Settings):
         """A hash of the whole state, as 32 hexadecimal digits: equal where the snapshots are."""
         return digest_of(self)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        users = {key: member.user for key, member in self._objects.items() if member.user is not None}
-        compounds = {key: shape.user for key, shape in self._added.items() if shape.user is not None}
-        return _restored, (self.snapshot(), users, compounds)
+    def __getstate__(self) -> dict[str, Any]:
+        """The snapshot, what `user` holds anywhere, and what a subclass of the user's adds."""
+        own = vars(World())
+        return {
+            "snapshot": self.snapshot(),
+            "users": {key: member.user for key, member in self._objects.items() if member.user is not None},
+            "compounds": {key: shape.user for key, shape in self._added.items() if shape.user is not None},
+            "added": {name: value for name, value in vars(self).items() if name not in own},
+        }
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Nothing; makes this the world that was pickled or copied."""
+        World.__init__(self)
+        self.restore(state["snapshot"])
+        for key, user in state["users"].items():
+            self.object(key).user = user
+        for key, user in state["compounds"].items():
+            self._added[key].user = user
+        vars(self).update(state["added"])
 
     def __repr__(self) -> str:
         return f"<World at {self.time:g} s: {len(self.shapes)} shapes, {len(self.balls)} balls>"
-
-
-def _restored(snapshot: bytes, users: dict[int, Any], compounds: dict[int, Any]) -> World:
-    """The world that was pickled or copied."""
-    world = World()
-    world.restore(snapshot)
-    for key, user in users.items():
-        world.object(key).user = user
-    for key, user in compounds.items():
-        world._added[key].user = user
-    return world
 
 
 def _joined(parts: list[Rows]) -> Rows:
@@ -476,9 +479,3 @@ def _joined(parts: list[Rows]) -> Rows:
     if not parts:
         return NO_ROWS
     return parts[0] if len(parts) == 1 else np.concatenate(parts)
-
-
-def _ids(rows: Rows) -> str:
-    """The first few ids of rows, for a message."""
-    ids = [str(int(ball)) for ball in rows["id"][:10]]
-    return ", ".join(ids) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")

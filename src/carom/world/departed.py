@@ -1,0 +1,49 @@
+"""The objects of what has left a world, for hits that name it still."""
+
+from __future__ import annotations
+
+from weakref import WeakValueDictionary
+
+from carom.rows import Rows
+from carom.shapes.ball import Ball
+from carom.shapes.shape import Shape
+
+
+class Departed:
+    """Shapes and balls that left a world, by their ids.
+
+    They are kept for as long as hits may name them: those that are at hand when they leave, and those of the next step
+    or run. After that they are found only where someone else holds them too.
+    """
+
+    def __init__(self) -> None:
+        self._known: WeakValueDictionary[int, Shape | Ball] = WeakValueDictionary()
+        self._before: list[Shape | Ball] = []
+        self._now: list[Shape | Ball] = []
+
+    def add(self, member_id: int, member: Shape | Ball) -> None:
+        """Nothing; keeps an object that has left."""
+        self._known[member_id] = member
+        self._now.append(member)
+
+    def forget_oldest(self) -> None:
+        """Nothing; a new step or run begins, and hits from before the last one are not at hand any more."""
+        if self._now or self._before:
+            self._before, self._now = self._now, []
+
+    def find(self, member_id: int, rows: Rows | None = None) -> Shape | Ball | None:
+        """What left with an id: its object, or one that is made of its row among `rows`; None if it is not known."""
+        member = self._known.get(member_id)
+        if member is None and rows is not None and member_id in rows["id"]:
+            ball = Ball.__new__(Ball)
+            ball.__setstate__((rows[rows["id"] == member_id], None, None))
+            ball._leave()
+            self._known[member_id] = member = ball
+        return member
+
+    def keep_balls(self, rows: Rows) -> None:
+        """Nothing; keeps objects of all balls that left in rows."""
+        for ball in rows["id"]:
+            member = self.find(int(ball), rows)
+            if member is not None:
+                self._now.append(member)
