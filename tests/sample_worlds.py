@@ -1,0 +1,125 @@
+"""Worlds for tests, small enough to be interpreted, with everything in them that a world can hold."""
+
+from random import Random
+from typing import Any
+
+import carom
+import numpy as np
+
+SIDE = 12.0
+
+
+def crowded(balls: int = 12, seed: int = 0, **settings: Any) -> carom.World:
+    """A room with walls, of every kind of shape, at rest and moving, and balls of several sizes, named ones too.
+
+    A gap in the upper wall lets balls stray. Nothing in it depends on anything but the arguments.
+    """
+    chosen: dict[str, Any] = {
+        "gravity": (0.5, -4.0),
+        "substeps": 2,
+        "iterations": 3,
+        "friction": 0.2,
+        "sleep_speed": 0.3,
+        "sleep_time": 0.2,
+        "bounds": carom.Aabb(-2.0, -2.0, SIDE + 2.0, SIDE + 2.0),
+    }
+    world = carom.World(**(chosen | settings))
+    add_walls(world)
+    add_furniture(world)
+    random = Random(seed)
+    for number in range(balls):
+        world.add(
+            carom.Ball(
+                (random.uniform(1.0, SIDE - 1.0), random.uniform(5.0, SIDE - 1.0)),
+                radius=random.choice((0.15, 0.25, 0.4)),
+                velocity=(random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0)),
+                mass=random.uniform(0.5, 2.0),
+                elasticity=random.choice((0.6, 0.9, 1.0)),
+                sensor=number == 3,
+                layer=1 if number % 4 else 3,
+                name=f"ball {number}" if number % 2 else None,
+            )
+        )
+    return world
+
+
+def add_walls(world: carom.World) -> None:
+    """Nothing; puts a room with a gap in its upper wall into a world, and posts at its corners."""
+    corners = [(0.0, 0.0), (SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE)]
+    walls = [carom.Segment(start, end) for start, end in zip(corners, [*corners[1:], corners[0]], strict=True)]
+    walls[2] = carom.Segment((SIDE, SIDE), (4.0, SIDE))
+    for shape in (*walls, *carom.guard_points(walls)):
+        world.add(shape)
+
+
+def add_furniture(world: carom.World) -> None:
+    """Nothing; puts one of everything into a room."""
+    world.add(carom.Circle((3.0, 3.0), 0.8, solid=True, kick=1.5, elasticity=1.1, name="bumper"))
+    world.add(carom.Circle((9.0, 8.0), 1.5, sensor=True, solid=True, name="eye"))
+    world.add(carom.Arc((6.0, 3.0), 1.5, 3.5, 5.9, name="cup"))
+    world.add(carom.Gate((0.0, 8.0), (2.0, 8.0), direction=(0.0, 1.0), name="gate"))
+    world.add(carom.Point((10.0, 4.0), collides_with=2))
+    world.add(carom.Segment((5.0, 6.0), (7.0, 6.0), motion="kinematic", velocity=(0.3, 0.1), name="lift"))
+    world.add(
+        carom.Segment((8.0, 2.0), (10.0, 1.5), motion="kinematic", pivot=(8.0, 2.0), turn_limits=(-0.5, 0.5))
+    ).angular_velocity = 6.0
+    world.add(
+        carom.Compound(
+            [carom.Segment((2.2, 6.0), (3.8, 6.0)), carom.Point((3.8, 6.0)), carom.Arc((3.0, 6.0), 0.5, 0.0, 2.0)],
+            pivot=(3.0, 6.0),
+            angular_velocity=2.0,
+            elasticity=0.9,
+            name="mill",
+        )
+    )
+
+
+def quiet() -> carom.World:
+    """A world without gravity that nothing has happened in: a wall, a sensor, and two balls that go towards them."""
+    world = carom.World()
+    world.add(carom.Segment((-5.0, 0.0), (5.0, 0.0), name="wall"))
+    world.add(carom.Circle((0.0, 5.0), 1.0, sensor=True, solid=True, name="eye"))
+    world.add(carom.Ball((-2.0, 2.0), radius=0.5, velocity=(0.0, -3.0), name="down"))
+    world.add(carom.Ball((0.0, 2.0), radius=0.5, velocity=(0.0, 3.0), name="up"))
+    return world
+
+
+def named(world: carom.World, name: str) -> Any:
+    """What has a name in a world."""
+    (found,) = [member for member in (*world.shapes, *world.balls) if member.name == name]
+    return found
+
+
+def starve(world: carom.World) -> None:
+    """Nothing; takes all room from a world that its tables do not need right now, so that it has to grow again."""
+    room = world._room
+    relations = world._room.states[0]["relations"]
+    kept = _relations(world)
+    room.hits = room.hits[: int(room.states[0]["hits"]) + 1].copy()
+    room.pairs = room.pairs[:1].copy()
+    room.starts = room.starts[:1].copy()
+    room.cells = room.cells[:1].copy()
+    room.members = room.members[:1].copy()
+    room.relations = room.relations[:2].copy()
+    _put_back(world, kept)
+    assert room.states[0]["relations"] == relations
+    world._arguments = None
+
+
+def _relations(world: carom.World) -> Any:
+    """All relations of a world."""
+    from carom.world.removal import relations_in_order
+
+    return relations_in_order(world._room)
+
+
+def _put_back(world: carom.World, relations: Any) -> None:
+    """Nothing; gives a world its relations, in as little room as they need."""
+    from carom.world.removal import set_relations
+
+    set_relations(world._room, relations)
+
+
+def bits(hits: Any) -> bytes:
+    """The bytes of hits."""
+    return np.asarray(hits).tobytes()
