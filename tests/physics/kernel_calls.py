@@ -1,0 +1,71 @@
+"""Calls of the broad phases' kernels as they stand, with the room that they ask for."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from carom import World
+from carom.rows import ALL_LAYERS, BALL, NO_RELATION, SHAPE, Rows
+from carom.world.grid import pairs_by_grid
+from carom.world.layout import BRUTE, CELL, GRID, QUADTREE, SLOT, STATE
+from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate
+
+Ball = tuple[float, float, float]
+Pair = tuple[int, int]
+
+PHASES = {"brute": BRUTE, "grid": GRID, "quadtree": QUADTREE}
+
+
+def ball_rows(balls: Iterable[Ball]) -> Rows:
+    """Rows of balls at rest from places and radii."""
+    rows = np.array([(x, y, 0.0, 0.0, radius, *[0] * 11) for x, y, radius in balls], BALL)
+    rows["mass"] = rows["elasticity"] = rows["layer"] = rows["can_collide"] = 1
+    rows["collides_with"], rows["relation"] = ALL_LAYERS, NO_RELATION
+    rows["id"] = np.arange(1, len(rows) + 1)
+    return rows
+
+
+def state_row(balls: Rows, phase: str, levels: int) -> Rows:
+    """The state of a world of so many balls."""
+    state = np.zeros(1, STATE)[0]
+    state["balls"], state["broad_phase"], state["levels"] = len(balls), PHASES[phase], levels
+    return state
+
+
+def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> list[Pair]:
+    """The pairs that a broad phase finds, each from the lower to the higher row, in its order."""
+    state = state_row(rows, phase, levels)
+    pairs = np.full((room, 2), -1, "i4")
+    if phase == "brute":
+        count = pairs_by_brute_force(state, rows, pairs)
+    elif phase == "grid":
+        starts = np.zeros(256 + 8 * len(rows), "i4")
+        count = pairs_by_grid(state, rows, np.zeros(len(rows), SLOT), starts, pairs)
+    else:
+        cells, members = np.zeros(4096, CELL), np.zeros(65536, "i4")
+        end = plant_ball_tree(state, rows, np.zeros(0, SHAPE), cells, members, 0, 0)
+        assert end > 0
+        count = pairs_by_quadtree(state, rows, cells, members, 0, end, pairs)
+    assert count >= 0
+    return [(min(i, j), max(i, j)) for i, j in pairs[:count].tolist()]
+
+
+def prepare_index(world: World, reach: float) -> None:
+    """Nothing; makes the index of a world's shapes for balls up to a radius, as the next step would."""
+    room = world._room
+    room.prepare()
+    state = room.states[0]
+    for which in (FIXED, MOVING):
+        while not build_index(
+            state, room.balls.rows, room.shapes.rows, room.order, room.index, which, reach, room.cells, room.members
+        ):
+            room.extend(2)
+
+
+def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
+    """The rows of the shapes that the index gives for a place, in its order."""
+    room = world._room
+    begin, end = cell_span(room.cells, locate(room.states[0], room.index[which], room.cells, x, y))
+    rows: list[int] = room.members[begin:end].tolist()
+    return rows

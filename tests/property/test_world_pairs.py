@@ -1,0 +1,76 @@
+"""The three broad phases find the same pairs at the same state, each once, wherever the balls are."""
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from carom.constants import CELL_SIDE
+from tests.physics.kernel_calls import Ball, ball_rows, found_pairs
+from tests.strategies import numbers
+
+
+@st.composite
+def crowds(draw: st.DrawFn) -> list[Ball]:
+    """Balls of radii over three orders of magnitude: anywhere, on cells' borders, in clusters, touching, far away."""
+    largest = draw(st.sampled_from((1.0, 0.3, 7.7)))
+    side = 2.0 * largest * CELL_SIDE
+    width = draw(st.sampled_from((2.0, 10.0, 1000.0)))
+    radii = st.one_of(st.just(largest), st.floats(0.0, 3.0).map(lambda power: largest * 10.0**-power))
+    places = numbers(-width, width)
+    balls: list[Ball] = [(draw(places), draw(places), largest)]
+    for _ in range(draw(st.integers(1, 28))):
+        radius = draw(radii)
+        x, y, other = balls[draw(st.integers(0, len(balls) - 1))]
+        how = draw(st.sampled_from(("anywhere", "border", "near", "touching", "same")))
+        if how == "anywhere":
+            x, y = draw(places), draw(places)
+        elif how == "border":
+            left, bottom = min(ball[0] for ball in balls), min(ball[1] for ball in balls)
+            shift = st.sampled_from((0.0, radius, -radius, 0.5 * side))
+            x = left + side * draw(st.integers(0, 5)) + draw(shift)
+            y = bottom + side * draw(st.integers(0, 5)) + draw(shift)
+        elif how == "near":
+            x, y = x + draw(numbers(-1, 1)) * (radius + other), y + draw(numbers(-1, 1)) * (radius + other)
+        elif how == "touching":
+            x, y = x + draw(st.sampled_from((-1, 1))) * (radius + other), y + draw(st.sampled_from((-1, 0, 1))) * radius
+        balls.append((x, y, radius))
+    if draw(st.booleans()):
+        balls.insert(draw(st.integers(0, len(balls))), (draw(st.sampled_from((1e9, -1e9))), draw(places), draw(radii)))
+    return balls
+
+
+@given(crowds(), st.sampled_from((1, 2, 6, 9)))
+@example([(0.0, 0.0, 1.0), (2.0, 2.0, 1.0), (1e9, -1e9, 1.0), (2.002, 0.0, 1.0)], 6)
+def test_all_broad_phases_find_the_same_pairs_once(balls: list[Ball], levels: int) -> None:
+    rows = ball_rows(balls)
+    expected = found_pairs(rows, "brute")
+    assert expected == [
+        (i, j)
+        for i in range(len(balls))
+        for j in range(i + 1, len(balls))
+        if max(abs(balls[i][0] - balls[j][0]), abs(balls[i][1] - balls[j][1])) <= balls[i][2] + balls[j][2]
+    ]
+    assert sorted(found_pairs(rows, "grid")) == expected
+    assert sorted(found_pairs(rows, "quadtree", levels)) == expected
+
+
+@given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=2, max_size=30))
+def test_they_agree_on_a_lattice_of_cells_borders(places: list[tuple[int, int]]) -> None:
+    side = 2.0 * CELL_SIDE
+    rows = ball_rows([(side * x, side * y, 1.0) for x, y in places])
+    expected = found_pairs(rows, "brute")
+    assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
+
+
+@given(st.permutations(range(12)), st.sampled_from(("brute", "grid", "quadtree")))
+def test_the_order_of_the_balls_does_not_change_the_pairs(order: list[int], phase: str) -> None:
+    balls = [(0.9 * (k % 4), 0.7 * (k // 4), 0.5 if k % 3 else 0.05) for k in range(12)]
+    shuffled = found_pairs(ball_rows([balls[k] for k in order]), phase)
+    named = sorted(tuple(sorted((order[i], order[j]))) for i, j in shuffled)
+    assert named == found_pairs(ball_rows(balls), "brute")
+
+
+@pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
+@pytest.mark.parametrize("balls", [[(5.0, 5.0, 1.0)], [(5.0, 5.0, 1.0)] * 9, [(0.0, 0.0, 1e-300), (0.0, 0.0, 1e300)]])
+def test_they_find_all_pairs_of_what_lies_in_one_place(phase: str, balls: list[Ball]) -> None:
+    assert len(found_pairs(ball_rows(balls), phase)) == len(balls) * (len(balls) - 1) // 2

@@ -1,0 +1,114 @@
+"""The index of shapes: which cell a place is in, what is in it, and when it is made anew."""
+
+from math import inf, nan, pi
+
+import pytest
+
+from carom import Arc, Ball, Circle, Point, Segment, World
+from carom.shapes.shape import Shape
+from carom.world.shape_index import FIXED, MOVING, cell_side, distance_to_shape, locate, rest_of_cell
+from tests.physics.kernel_calls import found_shapes, prepare_index
+
+
+@pytest.mark.parametrize(
+    ("shape", "place", "distance"),
+    [
+        (Point((1, 1)), (4, 5), 5),
+        (Segment((0, 0), (4, 0)), (2, -3), 3),
+        (Segment((0, 0), (4, 0)), (7, 4), 5),
+        (Circle((0, 0), 2), (0.5, 0), 1.5),
+        (Circle((0, 0), 2, solid=True), (0.5, 0), 0),
+        (Circle((0, 0), 2, solid=True), (5, 0), 3),
+        (Arc((0, 0), 5, 0, pi / 2), (6, 8), 5),
+        (Arc((0, 0), 5, 0, pi / 2), (1, 0), 4),
+        (Arc((0, 0), 5, 0, pi / 2), (0, -12), 13),
+    ],
+)
+def test_the_distance_to_a_shape_counts_its_ends(shape: Shape, place: tuple[float, float], distance: float) -> None:
+    assert distance_to_shape(shape._row, *map(float, place)) == pytest.approx(distance)
+
+
+@pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
+def test_a_world_without_shapes_has_no_cells(phase: str) -> None:
+    world = World(broad_phase=phase)
+    world.add(Ball((0, 0), radius=1))
+    prepare_index(world, 1.0)
+    for which in (FIXED, MOVING):
+        assert found_shapes(world, which, 0.0, 0.0) == []
+
+
+def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
+    world = World()
+    world.add(Segment((0, 0), (10, 0)))
+    prepare_index(world, 1.0)
+    room = world._room
+    places = ((5.0, 1.5), (11.2, 0.0), (1e300, 0.0), (0.0, -inf), (nan, 0.0), (0.0, nan))
+    cells = [locate(room.states[0], room.index[FIXED], room.cells, x, y) for x, y in places]
+    assert [cell for cell in cells[2:] if cell != -1] == []
+    assert found_shapes(world, FIXED, 5.0, 0.5) == [0]
+
+
+def test_short_lists_are_what_a_grid_is_for() -> None:
+    world = World()
+    for k in range(400):
+        world.add(Point((k % 20, k // 20)))
+    prepare_index(world, 0.1)
+    assert len(found_shapes(world, FIXED, 7.05, 9.0)) <= 4
+    assert world._room.index[FIXED]["longest"] <= 6
+
+
+def test_static_and_kinematic_shapes_stand_apart() -> None:
+    world = World()
+    world.add(Point((0, 0), motion="kinematic"))
+    world.add(Point((0, 0)))
+    prepare_index(world, 1.0)
+    assert found_shapes(world, FIXED, 0.0, 0.0) == [1]
+    assert found_shapes(world, MOVING, 0.0, 0.0) == [0]
+
+
+def test_the_rest_of_a_cell_is_what_is_met_after_a_shape() -> None:
+    world = World(broad_phase="brute")
+    for shape in (Circle((0, 0), 1), Point((0, 0)), Segment((0, 0), (1, 0)), Point((1, 1)), Circle((1, 0), 1)):
+        world.add(shape)
+    prepare_index(world, 1.0)
+    room = world._room
+    order = found_shapes(world, FIXED, 0.0, 0.0)
+    assert order == [1, 3, 2, 0, 4]
+    for place, row in enumerate(order):
+        begin, end = rest_of_cell(room.shapes.rows, room.cells, room.members, 0, row)
+        assert room.members[begin:end].tolist() == order[place + 1 :]
+
+
+def test_cells_are_no_smaller_than_a_ball_and_not_too_many() -> None:
+    assert cell_side(10.0, 10.0, 1000, 3.0) == 6
+    for width, height in ((100.0, 100.0), (1e6, 1e-3), (1e-3, 1e6), (0.0, 5.0)):
+        side = cell_side(width, height, 10, 0.0)
+        assert (width / side + 1) * (height / side + 1) < 4 * 640
+    assert cell_side(0.0, 0.0, 1, 0.0) == 1
+
+
+@pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
+def test_a_shape_that_is_moved_from_outside_is_found_where_it_is(phase: str) -> None:
+    world = World(broad_phase=phase, substeps=1)
+    post = world.add(Point((0, 0)))
+    hand = world.add(Point((9, 0), motion="kinematic"))
+    ball = world.add(Ball((50, 50), radius=1))
+    for shape in (post, hand, post):
+        world.step(0.1)
+        shape.position = (50, 49.1)
+        ball.velocity, ball.position = (0, -1), (50, 50)
+        assert [hit.shape for hit in world.step(0.01)] == [shape]
+        shape.position = (0, 0)
+
+
+@pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
+def test_a_larger_ball_is_served_when_it_comes(phase: str) -> None:
+    world = World(broad_phase=phase, substeps=1)
+    post = world.add(Point((0, 0)))
+    world.add(Ball((50, 50), radius=1e-3))
+    world.step(0.1)
+    world.add(Ball((70, 0), radius=71, velocity=(-1, 0)))
+    assert [hit.shape for hit in world.step(0.01)][:1] == [post]
+    world.balls.radius[1] = 72
+    world.balls.velocity[1] = (-1, 0)
+    assert [hit.shape for hit in world.step(0.01)][:1] == [post]
