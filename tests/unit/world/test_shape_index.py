@@ -105,7 +105,7 @@ def test_a_shape_that_is_moved_from_outside_is_found_where_it_is(phase: str) -> 
 def test_a_larger_ball_is_served_when_it_comes(phase: str) -> None:
     world = World(broad_phase=phase, substeps=1)
     post = world.add(Point((0, 0)))
-    world.add(Ball((50, 50), radius=1e-3))
+    world.add(Ball((-50, 50), radius=1e-3))
     world.step(0.1)
     world.add(Ball((70, 0), radius=71, velocity=(-1, 0)))
     assert [hit.shape for hit in world.step(0.01)][:1] == [post]
