@@ -3,8 +3,9 @@
 from random import Random
 from typing import Any
 
-import carom
 import numpy as np
+
+import carom
 
 SIDE = 12.0
 

@@ -1,0 +1,90 @@
+"""Tables that grow, and rows that are found by their ids wherever they moved."""
+
+import numpy as np
+import pytest
+
+import carom
+from carom.rows import BALL, SHAPE
+from carom.world.tables import Room, WorldTable, grown
+
+
+def table_of(ids: list[int]) -> WorldTable:
+    """A table of balls with ids."""
+    table = WorldTable(BALL, len(ids))
+    table.rows["id"] = ids
+    table.count = len(ids)
+    return table
+
+
+def test_a_grown_table_begins_with_what_was_there() -> None:
+    rows = np.arange(6).reshape(3, 2)
+    larger = grown(rows, 5, 2)
+    assert larger.tolist() == [[0, 1], [2, 3], [0, 0], [0, 0], [0, 0]]
+
+
+def test_rows_are_found_by_their_ids() -> None:
+    table = table_of([2, 5, 9])
+    assert [table.find(member) for member in (2, 5, 9)] == [0, 1, 2]
+    for missing in (1, 3, 10, None):
+        with pytest.raises(carom.InvalidArgument, match=f"not {missing}"):
+            table.find(missing)
+
+
+def test_rows_that_stay_keep_their_order() -> None:
+    table = table_of([1, 2, 3, 4])
+    table.drop(np.array([True, False, True, False]))
+    assert table.used["id"].tolist() == [2, 4]
+    table.reserve(3)
+    assert len(table.rows) >= 3
+    assert table.used["id"].tolist() == [2, 4]
+
+
+def test_room_is_doubled_unless_told_otherwise() -> None:
+    table = table_of([1, 2, 3])
+    table.reserve(4)
+    assert len(table.rows) == 6
+    table.reserve(7, doubling=False)
+    assert len(table.rows) == 7
+
+
+def test_many_balls_take_no_more_rows_than_they_need() -> None:
+    world = carom.World()
+    world.add_balls(np.zeros((1000, 2)), radius=1.0)
+    assert len(world._room.balls.rows) == 1000
+
+
+def test_shapes_are_met_in_the_order_of_motion_then_kind_then_adding() -> None:
+    world = carom.World()
+    given = [
+        carom.Arc((0, 0), 1, 0, 1),
+        carom.Segment((0, 0), (1, 0), motion="kinematic"),
+        carom.Circle((0, 0), 1),
+        carom.Point((0, 0), motion="kinematic"),
+        carom.Gate((0, 0), (1, 0)),
+        carom.Segment((0, 0), (1, 0)),
+        carom.Point((0, 0)),
+        carom.Point((1, 0)),
+    ]
+    for shape in given:
+        world.add(shape)
+    world.step(0.1)
+    order = [given[row] for row in world._room.order]
+    kinds = ["point", "point", "segment", "gate", "circle", "arc", "point", "segment"]
+    assert [shape.kind for shape in order] == kinds
+    assert order[0] is given[6]
+    assert world._room.states[0]["fixed"] == 6
+
+
+def test_hits_that_are_given_back_come_first() -> None:
+    room = Room()
+    room.hits["time"][:2] = [3.0, 4.0]
+    room.states[0]["hits"] = 2
+    early = np.zeros(2, room.hits.dtype)
+    early["time"] = [1.0, 2.0]
+    room.give_back(early)
+    assert room.hits["time"][: room.states[0]["hits"]].tolist() == [1, 2, 3, 4]
+
+
+def test_no_row_has_padding() -> None:
+    for dtype in (BALL, SHAPE):
+        assert dtype.itemsize == sum(dtype[name].itemsize for name in dtype.names or ())

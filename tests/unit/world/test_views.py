@@ -1,0 +1,153 @@
+"""`world.balls` and `world.shapes`: sequences of objects, and columns that are the world's own memory."""
+
+import numpy as np
+import pytest
+
+import carom
+from tests.sample_worlds import crowded, quiet
+
+COLUMNS = {"position": "position", "velocity": "velocity", "radius": "radius", "mass": "mass"}
+
+
+def filled(count: int = 3) -> carom.World:
+    """A world of some balls that differ in everything."""
+    world = carom.World()
+    for n in range(count):
+        world.add(carom.Ball((10 * n, n), 1 + n, (n, -n), 2 + n))
+    return world
+
+
+def test_balls_are_a_sequence_of_the_very_objects() -> None:
+    world = carom.World()
+    balls = [world.add(carom.Ball((n, 0), 0.1)) for n in range(4)]
+    assert len(world.balls) == 4
+    assert list(world.balls) == balls
+    assert list(reversed(world.balls)) == balls[::-1]
+    assert [world.balls[n] for n in range(-4, 4)] == balls * 2
+    assert world.balls[1:3] == balls[1:3]
+    assert world.balls[np.int64(2)] is balls[2]
+    assert balls[2] in world.balls
+    assert carom.Ball((2, 0), 0.1) not in world.balls
+    assert carom.Point((0, 0)) not in world.balls
+    assert world.balls.index(balls[3]) == 3
+    for outside in (4, -5):
+        with pytest.raises(IndexError):
+            world.balls[outside]
+
+
+def test_shapes_are_a_sequence_of_the_very_objects() -> None:
+    world = carom.World()
+    shapes = [world.add(carom.Point((n, 0))) for n in range(3)]
+    mill = world.add(carom.Compound([carom.Point((1, 1))], pivot=(0, 0)))
+    assert list(world.shapes) == [*shapes, mill]
+    assert world.shapes[-1] is mill
+    assert world.shapes[:2] == shapes[:2]
+    assert len(world.shapes) == 4
+    assert mill in world.shapes
+    assert mill.shapes[0] not in world.shapes
+    assert world.add(carom.Ball((9, 9), 1)) not in world.shapes
+    with pytest.raises(IndexError):
+        world.shapes[4]
+
+
+@pytest.mark.parametrize("name", COLUMNS)
+def test_columns_read_what_the_objects_say(name: str) -> None:
+    world = filled()
+    column = getattr(world.balls, name)
+    assert column.dtype == np.float64
+    assert column.shape == ((3, 2) if name in ("position", "velocity") else (3,))
+    assert column.tolist() == [np.array(getattr(ball, name)).tolist() for ball in world.balls]
+
+
+@pytest.mark.parametrize("name", COLUMNS)
+def test_columns_are_the_worlds_own_memory_and_can_be_written_to(name: str) -> None:
+    world = filled()
+    column = getattr(world.balls, name)
+    assert np.shares_memory(column, world._room.balls.rows)
+    column[1] = 7.5
+    value = getattr(world.balls[1], name)
+    assert value == ((7.5, 7.5) if name in ("position", "velocity") else 7.5)
+    setattr(world.balls[2], name, 3.25 if isinstance(value, float) else (3.25, 3.25))
+    assert column[2].tolist() == np.full(column.shape[1:], 3.25).tolist()
+    world.step(0.5)
+    assert column.tolist() == getattr(world.balls, name).tolist()
+
+
+def test_ids_can_be_read_alone() -> None:
+    world = filled()
+    assert world.balls.id.tolist() == [ball.id for ball in world.balls]
+    assert np.shares_memory(world.balls.id, world._room.balls.rows)
+    with pytest.raises(ValueError, match="read-only"):
+        world.balls.id[0] = 9
+    assert world.balls[0].position == (0, 0)
+
+
+@pytest.mark.parametrize("name", [*COLUMNS, "id"])
+def test_columns_of_no_balls_are_empty(name: str) -> None:
+    for world in (carom.World(), filled(1)):
+        for ball in list(world.balls):
+            world.remove(ball)
+        assert getattr(world.balls, name).shape[0] == 0
+
+
+def test_columns_stay_valid_while_the_world_runs_and_shapes_come_and_go() -> None:
+    world = crowded()
+    position = world.balls.position
+    world.run(0.5)
+    shape = world.add(carom.Point((50, 50)))
+    world.gravity = (0, -1)
+    world.run(0.5)
+    world.remove(shape)
+    world.run(0.1)
+    assert position.tolist() == [list(ball.position) for ball in world.balls]
+    assert np.shares_memory(position, world.balls.position)
+
+
+def test_writing_a_velocity_acts_in_the_next_step() -> None:
+    world = filled()
+    world.step(0.1)
+    world.balls.velocity[:] = (0, 1)
+    before = world.balls.position.copy()
+    world.step(1.0)
+    assert (world.balls.position - before).tolist() == [[0, 1]] * 3
+
+
+@pytest.mark.parametrize("name", COLUMNS)
+def test_writing_to_a_column_wakes_and_reading_it_does_not(name: str) -> None:
+    world = filled()
+    world.sleep_speed, world.sleep_time = 0.5, 0.1
+    world.balls.velocity[:] = 0
+    column = getattr(world.balls, name)
+    world.run(1.0)
+    assert world.statistics.sleeping == 3
+    before = world.digest()
+    column.copy(), getattr(world.balls, name)
+    assert world.digest() == before
+    world.step(0.001)
+    assert world.statistics.sleeping == 3
+    column[0] += 0.125
+    world.step(0.001)
+    assert world.statistics.sleeping == 0
+    world.run(1.0)
+    assert world.statistics.sleeping == 3
+
+
+def test_a_radius_that_was_written_is_met_at_once() -> None:
+    world = quiet()
+    world.step(0.001)
+    world.balls.radius[0] = 1.9
+    (hit,) = world.run(0.1)
+    assert hit.ball is world.balls[0]
+
+
+@pytest.mark.parametrize(("name", "value"), [("radius", 0.0), ("radius", -1.0), ("mass", 0.0), ("mass", -2.0)])
+def test_a_bad_size_that_was_written_is_refused_by_the_next_step(name: str, value: float) -> None:
+    world = filled()
+    getattr(world.balls, name)[1] = value
+    before = world.digest()
+    with pytest.raises(carom.InvalidArgument, match=r"radius and mass must be positive.* 2$"):
+        world.step(0.1)
+    assert world.digest() == before
+    getattr(world.balls, name)[1] = 1.0
+    world.step(0.1)
+    assert world.time == 0.1
