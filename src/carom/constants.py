@@ -105,9 +105,16 @@ TURN_STEPS = 4096
 #: Times that a ball may touch the line or circle of a turning shape past its ends before the search stops likewise.
 TURN_CROSSINGS = 16
 
-#: Width of the cells for balls in flight, in diameters of the largest; half of it is left for the ways of two balls
-#: before they are filed anew. 2 is the least; more means fewer filings and more tests.
+#: Width of the cells for balls in flight, in diameters of the largest ball of the level: a little more than 2. More
+#: means fewer cells to look into, and more balls in each.
 BIN_SIDE = 2.002
+
+#: Fraction of its cell's width that a ball may be away from where it was filed; then it is filed anew. More means
+#: fewer filings, and more cells to look into.
+BIN_LEASH = 0.125
+
+#: The radius and the leash of a level's largest ball, in widths of its cells: 1/4 at most, and BIN_LEASH.
+BIN_REACH = 0.375
 
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_BALLS = 6
@@ -139,3 +146,13 @@ FLIGHT_SLICES = 1024
 
 #: Static shapes up to this many are all tested against a ball's way in continuous mode, without an index.
 FEW_SHAPES = 16
+
+#: Factor on a span's length within which a shape's stop counts as reached at its end. Above rounding (1e-16) by far;
+#: a shape that travels too goes this much too far in that span.
+STOP_MARGIN = 1.000000001
+
+#: Fraction of a substep: what is left of it after this is no span of its own, but rounding.
+SPAN_END = 0.999999999999
+
+#: (√5 - 1)/2: its multiples, modulo 1, keep away from each other as evenly as those of any number.
+GOLDEN_SECTION = 0.6180339887498949

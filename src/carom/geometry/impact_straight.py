@@ -143,6 +143,6 @@ def reach_line(
     time = 0.0
     if gap > 0.0:
         time = gap / (0.0 - rate)
-    if time > duration:
+    if not time <= duration:
         return None
     return touch_in_slab(time, duration, gap, rate, 0.0, along, along_rate, 0.0, extent, slop, radius)

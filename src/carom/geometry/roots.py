@@ -11,6 +11,7 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 
 from carom.constants import ROOT_STEPS, ROOT_TOLERANCE
+from carom.geometry.vector import larger, smaller
 
 
 def falling_time(height: float, rate: float, acceleration: float) -> float | None:
@@ -35,8 +36,8 @@ def falling_time(height: float, rate: float, acceleration: float) -> float | Non
 def quadratic_roots(c2: float, c1: float, c0: float, duration: float) -> tuple[float, float]:
     """The two real roots of c2·t² + c1·t + c0 in ascending order, each brought into [0, duration].
 
-    Where it has none, or a double one, where its sign does not change, or is linear or constant: the missing ones
-    count as infinite, so as `duration`, or as 0 on the other side.
+    Both are `duration` where it has none, or a double one, where its sign does not change. The second root of a line
+    counts as infinitely early or late.
     """
     squared = c1 * c1 - 4.0 * c2 * c0
     if not squared > 0.0:
@@ -75,9 +76,11 @@ def cubic_roots(c3: float, c2: float, c1: float, c0: float, duration: float) -> 
             continue
         value_high = ((c3 * high + c2) * high + c1) * high + c0
         if (value < 0.0) != (value_high < 0.0):
-            # where a straight line between the ends would cross zero
-            guess = low + (high - low) * (value / (value - value_high))
-            root = root_between(0.0, c3, c2, c1, c0, low, high, value < 0.0, guess)
+            root = low
+            if value != 0.0:
+                # Newton starts where a straight line between the ends crosses zero.
+                guess = low + (high - low) * (value / (value - value_high))
+                root = root_between(0.0, c3, c2, c1, c0, low, high, value < 0.0, guess)
             if count == 0:
                 first = root
             elif count == 1:
@@ -94,8 +97,8 @@ def root_between(
 ) -> float:
     """The root of a quartic that changes sign once between `low` and `high`, from below if `rising`.
 
-    Newton's steps from `guess`; one that leaves the enclosure, or is not half as long as the one before, gives way to
-    halving the enclosure, so it always ends. The error is that of evaluating the polynomial at the root.
+    Newton's steps from `guess`, which end at the enclosure's ends; one that is not half as long as the one before gives
+    way to halving the enclosure, so it always ends. The error is that of evaluating the polynomial at the root.
     """
     time = guess
     if not low < time < high:
@@ -103,20 +106,16 @@ def root_between(
     step = high - low
     for _ in range(ROOT_STEPS):
         value = (((c4 * time + c3) * time + c2) * time + c1) * time + c0
-        if value == 0.0:
-            return time
+        slope = ((4.0 * c4 * time + 3.0 * c3) * time + 2.0 * c2) * time + c1
         if (value < 0.0) == rising:
             low = time
         else:
             high = time
-        slope = ((4.0 * c4 * time + 3.0 * c3) * time + 2.0 * c2) * time + c1
         following = low + 0.5 * (high - low)
         if 2.0 * fabs(value) < fabs(slope * step):
-            newton = time - value / slope
-            if low < newton < high:
-                following = newton
+            following = smaller(larger(time - value / slope, low), high)
         step = following - time
         time = following
         if fabs(step) <= ROOT_TOLERANCE * fabs(time):
-            return time
+            break
     return time

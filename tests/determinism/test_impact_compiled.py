@@ -1,0 +1,99 @@
+"""Compiled, times of impact, rays and touches of turning shapes are the same bits as interpreted."""
+
+import inspect
+from collections.abc import Callable
+from math import cos, pi, sin
+from random import Random
+from typing import Any
+
+import pytest
+
+from carom.geometry import (
+    advance,
+    arc,
+    impact,
+    impact_fall,
+    impact_straight,
+    overlap,
+    ray,
+    reach,
+    roots,
+    turning,
+    vector,
+)
+from tests.determinism.test_geometry_compiled import bits, functions
+
+numba = pytest.importorskip("numba")
+
+CASES = 3000
+#: In the order of their imports, so that what a function calls is known to the compiler before it.
+MODULES = (vector, arc, overlap, roots, reach, impact_straight, impact_fall, impact, ray, turning, advance)
+KINDS = ("point", "segment", "circle", "arc", "ball")
+DOORS = [
+    roots.falling_time,
+    roots.quadratic_roots,
+    roots.cubic_roots,
+    *[
+        function
+        for module in (impact, ray, advance)
+        for function in functions(module)
+        if function.__name__ in {f"{name}_{kind}" for name in ("impact", "ray", "advance") for kind in KINDS}
+    ],
+]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def registered() -> None:
+    """Make every function known to the compiler, for when another calls it."""
+    for module in MODULES:
+        for function in functions(module):
+            numba.extending.register_jitable(function)
+
+
+def scene(random: Random) -> dict[str, Any]:
+    """Numbers by the names of arguments: a shape, and a ball that is near it at some time of its flight."""
+    duration = 10.0 ** random.uniform(-3.0, 1.0)
+    turn, end, extent = random.uniform(0.0, 2.0 * pi), random.uniform(0.0, 2.0 * pi), random.uniform(0.1, 5.0)
+    cx, cy, radius = random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), random.uniform(0.01, 2.0)
+    tx, ty = cos(turn), sin(turn)
+    # some way along the segment, or from the centre to the circle, and off it by about the radius
+    along, off = random.uniform(-0.2, 1.2) * extent, radius * random.choice((1.0, random.uniform(-1.2, 1.2)))
+    meet_x, meet_y = cx + along * tx - off * ty, cy + along * ty + off * tx
+    vx, vy = random.gauss(0.0, 5.0 / duration), random.gauss(0.0, 5.0 / duration)
+    gx, gy = random.choice(((0.0, 0.0), (0.0, -9.8), (random.gauss(0.0, 9.0), random.gauss(0.0, 9.0))))
+    before = -duration * random.choice((0.0, random.random()))
+    ball = {
+        "x": meet_x + vx * before + 0.5 * gx * before * before,
+        "y": meet_y + vy * before + 0.5 * gy * before * before,
+        "vx": vx + gx * before,
+        "vy": vy + gy * before,
+        "gx": gx,
+        "gy": gy,
+        "radius": radius,
+        "duration": duration,
+    }
+    ends = (cx + extent * tx, cy + extent * ty, cx + extent * cos(end), cy + extent * sin(end))
+    shape = dict(zip(("ax", "ay", "bx", "by"), ends, strict=True))
+    turns = {"pivot_x": cx + 1.0, "pivot_y": cy, "pivot_vx": 0.1, "pivot_vy": 0.0, "spin": random.gauss(0.0, 1.0)}
+    other = {"x1": cx, "y1": cy, "vx1": 0.5, "vy1": 0.0, "r1": extent, "x2": ball["x"], "y2": ball["y"], "r2": radius}
+    rest = {"vx2": vx, "vy2": vy, "dx": vx * duration, "dy": vy * duration, "solid": random.choice((0, 1))}
+    names = {"cx": cx, "cy": cy, "qx": cx, "qy": cy, "r": extent, "tx": tx, "ty": ty, "extent": extent}
+    polynomial = {name: random.gauss(0.0, 3.0) for name in ("c0", "c1", "c2", "c3", "height", "rate", "acceleration")}
+    return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius}
+
+
+@pytest.mark.parametrize("function", DOORS, ids=lambda function: function.__name__)
+def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -> None:
+    random = Random(function.__name__)
+    compiled = numba.njit(function)
+    names = list(inspect.signature(function).parameters)
+    found = 0
+    for _ in range(CASES):
+        numbers = scene(random)
+        if names[:1] == ["ax"]:
+            numbers |= {"ax": numbers["cx"], "ay": numbers["cy"]}
+        given = tuple(numbers[name] for name in names)
+        result = function(*given)
+        assert list(bits(compiled(*given))) == list(bits(result)), given
+        found += result is not None
+    assert found > CASES // 50

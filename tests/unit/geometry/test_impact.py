@@ -1,0 +1,291 @@
+"""Times of impact: worked examples of each kind, touching, leaving, sliding, grazing, bare ends, joints, overflow."""
+
+from math import cos, hypot, inf, nextafter, pi, sin
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from carom.constants import END_DEPTH_CONTINUOUS
+from carom.geometry import impact
+from carom.geometry.arc import arc_ends
+from carom.geometry.vector import unit
+
+STILL = (0.0, 0.0)
+FLOOR = (0.0, 0.0, 1.0, 0.0, 10.0)
+RIGHT_HALF = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi, 0.5 * pi))
+BOWL = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, pi, 0.0))
+SLOP = 1e-9
+
+finite = st.floats(allow_nan=False, allow_infinity=False)
+positive = st.floats(0.0, allow_infinity=False, exclude_min=True)
+
+
+def approx(time: float) -> object:
+    """The time, but for its last digits."""
+    return pytest.approx(time, rel=1e-15)
+
+
+# -- straight motion -----------------------------------------------------------------------------------------------
+
+
+def test_a_ball_meets_a_point_head_on() -> None:
+    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, 5.0) == 3.0
+
+
+def test_a_ball_meets_a_point_off_its_line() -> None:
+    assert impact.impact_point(10.0, 3.0, 0.0, 0.0, 5.0, 2.0, 0.0, *STILL, 5.0) == 3.0
+
+
+def test_a_ball_whose_line_passes_a_point_at_its_radius_only_grazes_it() -> None:
+    assert impact.impact_point(10.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, *STILL, 50.0) is None
+
+
+def test_a_ball_that_stops_short_has_no_impact() -> None:
+    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, 3.0) == 3.0
+    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, nextafter(3.0, 0.0)) is None
+    assert impact.impact_segment(*FLOOR, 5.0, 3.0, 1.0, 0.0, -1.0, *STILL, 1.9, SLOP) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 0.0, 1.0, 1.0, 0.0, *STILL, 3.9) is None
+
+
+def test_a_segment_is_met_from_both_sides() -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 3.0, 1.0, 0.5, -1.0, *STILL, 5.0, SLOP) == 2.0
+    assert impact.impact_segment(*FLOOR, 5.0, -3.0, 1.0, 0.5, 1.0, *STILL, 5.0, SLOP) == 2.0
+
+
+def test_a_circle_is_met_from_outside_and_from_inside() -> None:
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, -2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 3.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 1.0
+
+
+def test_a_solid_circle_is_met_from_outside_alone() -> None:
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 2.0, 0.0, 1.0, -2.0, 0.0, *STILL, 5.0) == 0.0
+
+
+def test_an_arc_is_met_within_its_sector() -> None:
+    assert impact.impact_arc(*RIGHT_HALF, 10.0, 0.0, 1.0, -2.0, 0.0, *STILL, 9.0, SLOP) == 2.0
+    assert impact.impact_arc(*RIGHT_HALF, 0.0, 0.0, 1.0, 2.0, 0.0, *STILL, 9.0, SLOP) == 2.0
+    assert impact.impact_arc(*RIGHT_HALF, 0.0, 0.0, 1.0, -2.0, 0.0, *STILL, 9.0, SLOP) is None
+
+
+def test_a_ball_that_comes_in_by_the_gap_of_an_arc_meets_its_inside() -> None:
+    assert impact.impact_arc(*RIGHT_HALF, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 9.0, SLOP) == 7.0
+
+
+def test_two_balls_meet_by_their_relative_motion() -> None:
+    assert impact.impact_ball(0.0, 0.0, 1.0, 0.0, 1.0, 10.0, 0.0, -3.0, 0.0, 2.0, *STILL, 5.0) == 1.75
+    assert impact.impact_ball(0.0, 0.0, 1.0, 0.0, 1.0, 10.0, 0.0, 1.0, 0.0, 2.0, *STILL, 5.0) is None
+    assert impact.impact_ball(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 8.0, 0.0, 0.0, 2.0, 0.0, -10.0, 5.0) == 1.0
+
+
+# -- falling -------------------------------------------------------------------------------------------------------
+
+
+def test_a_ball_falls_onto_a_floor_a_point_and_a_bumper() -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0, SLOP) == 1.0
+    assert impact.impact_point(5.0, 0.0, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
+    assert impact.impact_circle(5.0, -3.0, 3.0, 1, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
+    assert impact.impact_circle(5.0, -3.0, 3.0, 0, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
+
+
+def test_a_ball_falls_within_a_circle_and_into_a_bowl() -> None:
+    assert impact.impact_circle(0.0, 0.0, 6.0, 0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
+    assert impact.impact_arc(*BOWL, 0.0, 16.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0, SLOP) == approx(2.0)
+
+
+def test_a_ball_thrown_up_meets_what_it_falls_back_on() -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0, SLOP) == 1.0
+    assert impact.impact_circle(0.0, -5.0, 5.0, 1, 0.0, 1.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0) == approx(1.0)
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0) == approx(1.0)
+
+
+def test_a_ball_thrown_past_an_end_comes_back_to_the_other_side() -> None:
+    # up past the left end, back down beside it, where it meets the wall's left side
+    wall = (0.0, 0.0, 0.0, 1.0, 4.0)
+    assert impact.impact_segment(*wall, 3.0, 6.0, 1.0, -10.0, 0.0, 8.0, -2.0, 5.0, SLOP) == pytest.approx(2.0)
+
+
+def test_of_two_dips_towards_a_point_the_first_that_is_deep_enough_counts() -> None:
+    # a throw over the point: it passes closest beside it on its way up, and again on its way down
+    x, y, vx, vy, pull = -1.05, -1.0, 1.0, 8.0, 8.0
+    times = [0.001 * step for step in range(2001)]
+    away = [hypot(x + vx * t, y + vy * t - 0.5 * pull * t * t) for t in times]
+    first, second = min(away[:1000]), min(away[1000:])
+    assert second < first
+    for level, start in ((first + 0.01, 0), (0.5 * (first + second), 1000)):
+        expected = next(t for t, distance in zip(times[start:], away[start:], strict=True) if distance <= level)
+        found = impact.impact_point(0.0, 0.0, x, y, level, vx, vy, 0.0, -pull, 2.0)
+        assert found == pytest.approx(expected, abs=0.001)
+    assert impact.impact_point(0.0, 0.0, x, y, second - 0.01, vx, vy, 0.0, -pull, 2.0) is None
+
+
+# -- touching ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("gravity", [STILL, (0.0, -1.0), (0.0, 1.0)])
+def test_a_ball_that_touches_and_approaches_has_its_impact_now(gravity: tuple[float, float]) -> None:
+    assert impact.impact_point(0.0, 0.0, 0.0, 1.0, 1.0, 0.5, -1.0, *gravity, 1.0) == 0.0
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.5, -1.0, *gravity, 1.0, SLOP) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 6.0, 1.0, 0.5, -1.0, *gravity, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 0.5, -1.0, *gravity, 1.0) == 0.0
+    assert impact.impact_arc(*BOWL, 0.0, -4.0, 1.0, 0.5, -1.0, *gravity, 1.0, SLOP) == 0.0
+
+
+def test_a_ball_that_overlaps_and_approaches_has_its_impact_now() -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 0.5, 1.0, 0.0, -1.0, *STILL, 1.0, SLOP) == 0.0
+    assert impact.impact_segment(*FLOOR, 5.0, 0.0, 1.0, 0.0, -1.0, *STILL, 1.0, SLOP) == 0.0
+    assert impact.impact_segment(*FLOOR, 5.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 1.0, SLOP) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 5.0, 1.0, 0.0, 1.0, *STILL, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 5.0, 1.0, 0.0, -1.0, *STILL, 1.0) == 0.0
+
+
+@pytest.mark.parametrize("gravity", [STILL, (0.0, 1.0)])
+def test_a_ball_that_touches_and_leaves_has_none(gravity: tuple[float, float]) -> None:
+    assert impact.impact_point(0.0, 0.0, 0.0, 1.0, 1.0, 0.5, 1.0, *gravity, 1.0) is None
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.5, 1.0, *gravity, 1.0, SLOP) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 6.0, 1.0, 0.5, 1.0, *gravity, 1.0) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 0.5, 1.0, *gravity, 1.0) is None
+    assert impact.impact_arc(*BOWL, 0.0, -4.0, 1.0, 0.5, 1.0, *gravity, 1.0, SLOP) is None
+
+
+@pytest.mark.parametrize("noise", [0.0, 5e-16, -5e-16])
+def test_a_ball_that_slides_on_a_flat_or_bulging_surface_has_none(noise: float) -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 1.0, noise, *STILL, 1.0, SLOP) is None
+    assert impact.impact_point(0.0, 0.0, 0.0, 1.0, 1.0, 1.0, noise, *STILL, 1.0) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, *STILL, 1.0) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, 0.0, -0.1, 1.0) is None
+
+
+def test_a_ball_pressed_to_a_surface_has_its_impact_now() -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 1.0, 0.0, 0.0, -1.0, 1.0, SLOP) == 0.0
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.0, 0.0, 0.0, -1.0, 1.0, SLOP) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, 0.0, 0.0, -0.2, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, 0.0, 0.0, -0.2, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, 0.0, *STILL, 1.0) == 0.0
+
+
+def test_a_hop_from_a_touch_too_deep_by_rounding_ends_where_it_began() -> None:
+    deep = nextafter(1.0, 0.0)
+    assert impact.impact_segment(*FLOOR, 5.0, deep, 1.0, 0.0, 1e-9, 0.0, -1.0, 1.0, SLOP) == pytest.approx(2e-9)
+    hop = impact.impact_circle(0.0, -5.0, 5.0, 1, 0.0, 1.0 - 1e-15, 1.0, 0.0, 1e-6, 0.0, -1.0, 1.0)
+    assert hop == pytest.approx(2e-6, rel=1e-2)
+    assert impact.impact_circle(0.0, 0.0, 1.0, 0, 0.0, 1e-13 - 0.5, 0.5, 0.0, 1.0, *STILL, 2.0) == pytest.approx(1.0)
+
+
+def test_a_chord_from_a_touch_too_deep_by_rounding_ends_as_deep() -> None:
+    deep, flat = nextafter(-4.0, -5.0), 1e-9
+    chord = impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, deep, 1.0, cos(flat), sin(flat), *STILL, 1.0)
+    assert chord == pytest.approx(8e-9)
+
+
+# -- bare ends -----------------------------------------------------------------------------------------------------
+
+
+def test_a_ball_that_comes_over_a_bare_end_passes() -> None:
+    assert impact.impact_segment(*FLOOR, -1.0, 1.4, 1.0, 2.0, -1.0, *STILL, 9.0, SLOP) is None
+    assert impact.impact_segment(*FLOOR, -1.0, 1.4, 1.0, 2.0, -1.0, 0.0, -0.1, 9.0, SLOP) is None
+    assert impact.impact_arc(*RIGHT_HALF, -1.0, 6.4, 1.0, 2.0, -1.0, *STILL, 1.0, SLOP) is None
+    assert impact.impact_arc(*RIGHT_HALF, -1.0, 6.4, 1.0, 2.0, -1.0, 0.0, -0.1, 1.0, SLOP) is None
+
+
+def test_a_ball_that_overlaps_past_an_end_passes() -> None:
+    assert impact.impact_segment(*FLOOR, -0.5, 0.5, 1.0, 1.0, -0.1, *STILL, 9.0, SLOP) is None
+    assert impact.impact_segment(*FLOOR, -0.5, 0.5, 1.0, 1.0, 0.1, 0.0, -0.2, 2.0, SLOP) is None
+    assert impact.impact_arc(*RIGHT_HALF, -0.5, 5.5, 1.0, 1.0, -0.1, *STILL, 2.0, SLOP) is None
+    assert impact.impact_arc(*BOWL, -5.3, 0.5, 1.0, 0.0, -1.0, 0.0, -1.0, 1.0, SLOP) is None
+
+
+@pytest.mark.parametrize("gravity", [STILL, (0.0, -1e-12)])
+def test_an_end_reaches_as_far_as_the_slop(gravity: tuple[float, float]) -> None:
+    assert impact.impact_segment(*FLOOR, -0.9e-9, 2.0, 1.0, 0.0, -1.0, *gravity, 9.0, SLOP) is not None
+    assert impact.impact_segment(*FLOOR, 10.0 + 0.9e-9, 2.0, 1.0, 0.0, -1.0, *gravity, 9.0, SLOP) is not None
+    assert impact.impact_segment(*FLOOR, -1.1e-9, 2.0, 1.0, 0.0, -1.0, *gravity, 9.0, SLOP) is None
+    assert impact.impact_segment(*FLOOR, 10.0 + 1.1e-9, 2.0, 1.0, 0.0, -1.0, *gravity, 9.0, SLOP) is None
+    assert impact.impact_arc(*RIGHT_HALF, -0.9e-9, 7.0, 1.0, 0.0, -1.0, *gravity, 9.0, SLOP) is not None
+    assert impact.impact_arc(*RIGHT_HALF, -1.1e-9, 7.0, 1.0, 0.0, -1.0, *gravity, 2.0, SLOP) is None
+
+
+@pytest.mark.parametrize("gravity", [STILL, (0.0, -1e-12)])
+def test_a_ball_that_overlaps_by_less_than_the_end_depth_touches_at_the_end(gravity: tuple[float, float]) -> None:
+    steep, flat = 4.0 * END_DEPTH_CONTINUOUS, 0.5 * END_DEPTH_CONTINUOUS
+    # its foot is at the end after one second, when it overlaps by `steep` or `flat`
+    assert impact.impact_segment(*FLOOR, -1.0, 1.0, 1.0, 1.0, -steep, *gravity, 9.0, SLOP) is None
+    over = impact.impact_segment(*FLOOR, -1.0, 1.0, 1.0, 1.0, -flat, *gravity, 9.0, SLOP)
+    assert over == pytest.approx(1.0, abs=1e-8)
+    over = impact.impact_segment(*FLOOR, 11.0, -1.0, 1.0, -1.0, flat, *gravity, 9.0, SLOP)
+    assert over == pytest.approx(1.0, abs=1e-8)
+
+
+def test_a_ball_that_slides_off_a_wall_into_a_bowl_touches_at_the_joint() -> None:
+    for pull in (0.0, 1e-12):
+        assert impact.impact_arc(*RIGHT_HALF, -2.0, -4.0, 1.0, 1.0, 0.0, 0.0, -pull, 9.0, SLOP) == pytest.approx(2.0)
+
+
+def test_a_ball_that_skips_along_two_arcs_of_one_circle_touches_the_second() -> None:
+    # too deep by rounding and leaving flatly, in the first sector, its chord ends in the second
+    second = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi + 1e-10, 2.5 * pi))
+    for flat, pull in ((1e-9, 0.0), (1e-6, 0.0), (1e-6, 1e-9)):
+        chord = impact.impact_arc(*second, 0.0, nextafter(-4.0, -5.0), 1.0, cos(flat), sin(flat), 0.0, -pull, 1.0, 0.0)
+        assert chord == pytest.approx(8.0 * flat, rel=1e-2)
+
+
+# -- far, fast, small, large ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("away", [1e2, 1e5, 1e8])
+@pytest.mark.parametrize("pull", [0.0, 1e-3])
+def test_a_small_ball_from_far_away_hits_to_the_last_digits(away: float, pull: float) -> None:
+    radius, offset, duration = 0.5, 0.3, 2.0
+    vx, vy = -away, 0.5 * pull
+    time = impact.impact_point(0.0, 0.0, away, offset, radius, vx, vy, 0.0, -pull, duration)
+    assert time is not None
+    x, y = away + vx * time, offset + vy * time - 0.5 * pull * time * time
+    assert hypot(x, y) == pytest.approx(radius, abs=1e-15 * away)
+    assert x > 0.0
+
+
+def test_the_touch_of_a_ball_inside_a_circle_hardly_larger_than_it_is_exact() -> None:
+    time = impact.impact_circle(0.0, 0.0, 1.0 + 1e-9, 0, 0.0, 0.0, 1.0, 3.0, 4.0, *STILL, 1.0)
+    assert time == pytest.approx(((1.0 + 1e-9) - 1.0) / 5.0, rel=1e-14)
+
+
+def test_a_ball_that_fills_a_circle_touches_as_soon_as_it_leaves_the_middle() -> None:
+    assert impact.impact_circle(0.0, 0.0, 1.0, 0, 0.1, 0.0, 2.0, 1.0, 0.0, *STILL, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 1.0, 0, 0.1, 0.0, 2.0, -1.0, 0.0, *STILL, 1.0) == pytest.approx(0.2)
+    assert impact.impact_circle(0.0, 0.0, 1.0, 0, 0.1, 0.0, 2.0, -1.0, 0.0, 0.0, -1e-9, 1.0) == pytest.approx(0.2)
+
+
+def test_a_ball_at_rest_has_no_impact() -> None:
+    for place in ((0.0, 0.0), (0.0, 1.0), (0.0, 4.0), (0.0, 6.0), (0.0, 7.0)):
+        assert impact.impact_point(0.0, 0.0, *place, 1.0, *STILL, *STILL, 1.0) is None
+        assert impact.impact_segment(*FLOOR, *place, 1.0, *STILL, *STILL, 1.0, SLOP) is None
+        assert impact.impact_circle(0.0, 0.0, 5.0, 0, *place, 1.0, *STILL, *STILL, 1.0) is None
+        assert impact.impact_arc(*RIGHT_HALF, *place, 1.0, *STILL, *STILL, 1.0, SLOP) is None
+
+
+def test_nothing_happens_in_no_time_but_to_what_touches() -> None:
+    assert impact.impact_point(0.0, 0.0, 0.0, 3.0, 1.0, 0.0, -1.0, 0.0, -1.0, 0.0) is None
+    assert impact.impact_point(0.0, 0.0, 0.0, 3.0, 1.0, 0.0, -1.0, *STILL, 0.0) is None
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.0, -1.0, 0.0, -1.0, 0.0, SLOP) == 0.0
+
+
+@given(st.lists(finite, min_size=17, max_size=17), positive, positive, positive, st.booleans(), st.booleans())
+def test_no_finite_numbers_make_nan_or_an_exception(
+    numbers: list[float], radius: float, r: float, duration: float, solid: bool, falls: bool
+) -> None:
+    x, y, vx, vy, cx, cy, ax, ay, bx, by = numbers[:10]
+    gx, gy = numbers[10:12] if falls else STILL
+    motion = (x, y, radius, vx, vy, gx, gy, duration)
+    tx, ty = unit(ax, ay) or (1.0, 0.0)
+    found = [
+        impact.impact_point(cx, cy, *motion),
+        impact.impact_segment(cx, cy, tx, ty, r, *motion, 1e-9 * radius),
+        impact.impact_circle(cx, cy, r, int(solid), *motion),
+        impact.impact_arc(cx, cy, r, ax, ay, bx, by, *motion, 1e-9 * radius),
+        impact.impact_ball(cx, cy, ax, ay, r, *motion[:2], vx, vy, radius, gx, gy, duration),
+    ]
+    assert all(time is None or 0.0 <= time <= duration < inf for time in found)
