@@ -41,6 +41,23 @@ KERNEL_MODULES = (
     "carom.world.ending",
     "carom.world.safety",
     "carom.world.discrete",
+    "carom.geometry.roots",
+    "carom.geometry.reach",
+    "carom.geometry.impact_straight",
+    "carom.geometry.impact_fall",
+    "carom.geometry.impact",
+    "carom.geometry.turning",
+    "carom.geometry.advance",
+    "carom.world.queue",
+    "carom.world.bins",
+    "carom.world.flight",
+    "carom.world.surfaces",
+    "carom.world.support",
+    "carom.world.foresee",
+    "carom.world.arrival",
+    "carom.world.encounter",
+    "carom.world.spans",
+    "carom.world.continuous",
 )
 
 #: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.

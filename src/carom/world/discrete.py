@@ -13,6 +13,7 @@ from carom.world.grid import pairs_by_grid
 from carom.world.layout import (
     BEGIN,
     BRUTE,
+    DISCRETE,
     DONE,
     END,
     FIND_PAIRS,
@@ -83,7 +84,14 @@ def substep_length(state: Row) -> float:
 
 
 def hit_time(state: Row) -> float:
-    """The world's time at the end of the substep, which is the time of its hits."""
+    """The time of hits between balls that overlap: the end of the substep, or its beginning in the continuous mode."""
+    if state["detection"] == DISCRETE:
+        return substep_end(state)
+    return float(state["time"]) + float(state["substep"]) * substep_length(state)
+
+
+def substep_end(state: Row) -> float:
+    """The world's time at the end of the substep."""
     if state["substep"] + 1 == state["substeps"]:
         return float(state["time"]) + float(state["dt"])
     return float(state["time"]) + float(state["substep"] + 1) * substep_length(state)
@@ -121,19 +129,26 @@ def begin_substep(
         if not shapes_are_sound(state, shapes, order):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
-    if state["index_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
-            return NEEDS_PAIRS
-        state["index_stale"] = 0
-        state["moving_stale"] = 1
-    if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
-            return NEEDS_PAIRS
-        state["moving_stale"] = 0
+    if not rebuild_index(state, balls, shapes, order, index, cells, members):
+        return NEEDS_PAIRS
     state["iteration"] = 0
     state["found"] = 0
     enter_stage(state, SHAPES)
     return DONE
+
+
+def rebuild_index(state: Row, balls: Rows, shapes: Rows, order: Rows, index: Rows, cells: Rows, members: Rows) -> bool:
+    """True when the index of the shapes is right again; False where it has no room."""
+    if state["index_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+            return False
+        state["index_stale"] = 0
+        state["moving_stale"] = 1
+    if state["moving_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+            return False
+        state["moving_stale"] = 0
+    return True
 
 
 def enter_stage(state: Row, stage: int) -> None:
@@ -155,7 +170,7 @@ def meet_all_shapes(
     relations: Rows,
 ) -> int:
     """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out."""
-    first = state["iteration"] == 0
+    first = state["iteration"] == 0 and state["detection"] == DISCRETE
     duration = substep_length(state)
     time = hit_time(state)
     rest = rest_speed(state)
@@ -285,7 +300,7 @@ def finish(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations: Rows) -
         if len(hits) - state["hits"] < state["relations"]:
             state["wanted_hits"] = state["hits"] + state["relations"]
             return NEEDS_ROOM
-        sweep_relations(state, balls, shapes, hits, relations, hit_time(state))
+        sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
     finish_substep(state, balls, substep_length(state))
     state["substep"] += 1
     enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)

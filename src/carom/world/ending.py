@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from carom.rows import NO_RELATION, Row, Rows
 from carom.shapes.contact import find_contact
-from carom.world.layout import EXIT, INSIDE_BALL, INSIDE_SHAPE, PASSING
+from carom.world.layout import DISCRETE, EXIT, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING
 from carom.world.motion import slow_by_friction
 from carom.world.narrow import boxes_apart, may_collide
 from carom.world.recording import write_hit
@@ -12,11 +12,24 @@ from carom.world.relations import drop_relation
 from carom.world.shape_index import distance_to_shape
 
 
-def still_holds(balls: Rows, shapes: Rows, ball: Row, kind: int, other: int) -> bool:
-    """True if a ball's relation lasts: it overlaps the other row still, and both are there to collide.
+def is_there(balls: Rows, shapes: Rows, ball: Row, kind: int, other: int) -> bool:
+    """True if what a ball's relation is to may be met still, as a sensor or not, as when the relation began."""
+    if kind == INSIDE_BALL:
+        return may_collide(ball, balls[other]) and (balls[other]["sensor"] != 0 or ball["sensor"] != 0)
+    sensing = shapes[other]["sensor"] != 0 or ball["sensor"] != 0
+    return may_collide(ball, shapes[other]) and bool(sensing) == (kind == INSIDE_SHAPE)
+
+
+def still_holds(state: Row, balls: Rows, shapes: Rows, ball: Row, kind: int, other: int) -> bool:
+    """True if a ball's relation lasts: both are there to collide, and it overlaps the other row still.
 
     A ball that passes a segment or arc overlaps it as long as any place of it, the ends included, is inside the ball.
+    In the continuous mode a ball's flight has ended what it does not overlap any more.
     """
+    if state["detection"] != DISCRETE:
+        return is_there(balls, shapes, ball, kind, other)
+    if kind == LASTING:
+        return False
     if kind == INSIDE_BALL:
         partner = balls[other]
         if not may_collide(ball, partner) or (partner["sensor"] == 0 and ball["sensor"] == 0):
@@ -43,7 +56,7 @@ def sweep_relations(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations
         place = int(ball["relation"])
         while place != NO_RELATION:
             kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
-            if still_holds(balls, shapes, ball, kind, other):
+            if still_holds(state, balls, shapes, ball, kind, other):
                 before = place
                 place = int(relations[place]["next"])
             else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, floor
 
-from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GRID_CELLS_PER_BALL
+from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_PER_BALL
 from carom.rows import Row, Rows
 from carom.world.pairs import may_touch, measure_balls, put_pair
 
@@ -53,11 +53,11 @@ def grid_size(width: float, height: float, side: float, count: int) -> tuple[int
 
 
 def wrapped_size(count: int) -> tuple[int, int, int]:
-    """The same for numbers that always wrap around."""
+    """The same for numbers that always wrap around; steps of the golden section spread the lines evenly."""
     size = 64
     while 2 * size <= 64.0 + GRID_CELLS_PER_BALL * count:
         size *= 2
-    return size, size // 4 + 1, size - 1
+    return size, int(GOLDEN_SECTION * size) | 1, size - 1
 
 
 def pairs_by_grid(state: Row, balls: Rows, slots: Rows, starts: Rows, pairs: Rows) -> int:

@@ -13,6 +13,11 @@ EXIT = 2
 PASSING = 0  # the ball passes a segment, arc or gate, whichever way it leaves
 INSIDE_SHAPE = 1  # the ball and a shape overlap, and one of them is a sensor
 INSIDE_BALL = 2  # the same for two balls
+LASTING = 3  # the ball rests on a shape, rolls on it or slides along it (continuous)
+
+# Detections.
+DISCRETE = 0
+CONTINUOUS = 1
 
 # Broad phases.
 BRUTE = 0
@@ -35,8 +40,26 @@ FIND_PAIRS = 3
 PAIRS = 4
 FINISH = 5
 END = 6
+SPAN = 7  # continuous: shapes and balls are set going
+FORESEE = 8
+FLY = 9
 
 NO_CHILD = -1
+
+# What comes next in a ball's flight.
+NOTHING = 0
+LOOK = 1  # it is filed anew and looks around anew
+LEAVE = 2  # it comes to the end of the segment that it rests on
+HIT_SHAPE = 3
+HIT_BALL = 4
+
+# How a ball takes part in a span.
+FLYING = 0
+ASLEEP = 1
+STALLED = 2  # it has reached `max_impacts` and stands still for the rest of the substep
+
+NO_PLACE = -1  # of a ball that is not in the queue of events
+NO_BALL = -1
 
 # What a ball that a response has moved is still to be tested against.
 SHAPES_DUE = 1
@@ -98,6 +121,16 @@ STATE = np.dtype(
         ("stage", "i8"),
         ("stage_entered", "i8"),  # whether what the stage does once is done
         ("substep", "i8"),
+        ("span_begin", "f8"),  # of the substep that is done when the span begins, in seconds
+        ("span", "f8"),  # its length: the substep, or until the next shape reaches a stop
+        ("queued", "i8"),
+        ("binned", "i8"),
+        ("bin_left", "f8"),
+        ("bin_bottom", "f8"),
+        ("bin_side", "f8"),
+        ("bin_stride", "i8"),
+        ("bin_mask", "i8"),
+        ("bin_levels", "i8"),
         ("iteration", "i8"),
         ("cursor", "i8"),  # the ball or pair at which the stage goes on
         ("pairs", "i8"),
@@ -165,5 +198,29 @@ SAVED = np.dtype(
         ("stray", "u1"),
         ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE
         ("spare", "u1"),
+    ]
+)
+
+#: A ball's flight in a span of a substep (continuous).
+FLIGHT = np.dtype(
+    [
+        ("time", "f8"),  # of the span, at which the ball is where its row says
+        ("ax", "f8"),
+        ("ay", "f8"),
+        ("energy", "f8"),  # per mass, while it slides along shapes at rest
+        ("patience", "f8"),  # until when it does not look for impacts with balls that are patient too
+        ("event_time", "f8"),
+        ("bin_x", "f8"),
+        ("bin_y", "f8"),
+        ("event", "i4"),
+        ("partner", "i4"),
+        ("partner_version", "i4"),
+        ("version", "i4"),  # changes with the path
+        ("place", "i4"),  # in the queue
+        ("kind", "i4"),
+        ("impacts", "i4"),
+        ("level", "i4"),
+        ("cell", "i4"),
+        ("next", "i4"),  # in the same cell
     ]
 )

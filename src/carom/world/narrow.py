@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, fabs, sin
 
-from carom.constants import END_DEPTH_DISCRETE
+from carom.constants import END_DEPTH_DISCRETE, SEPARATION_SLACK
 from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
@@ -12,7 +12,7 @@ from carom.geometry.vector import cross, dot, larger, length, rotated
 from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
-from carom.world.layout import ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
+from carom.world.layout import DISCRETE, ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
 from carom.world.motion import rouse, wake
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, find_relation
@@ -144,6 +144,8 @@ def meet_shape(
     if contact is None:
         return False
     px, py, nx, ny, setback = contact
+    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * radius:
+        return False
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
@@ -253,6 +255,9 @@ def meet_pair(
     )
     if contact is None:
         return
+    px, py, nx, ny, setback = contact
+    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * reach:
+        return
     if first["sensor"] != 0 or second["sensor"] != 0:
         if not find_relation(relations, second, INSIDE_BALL, i):
             add_relation(state, relations, second, j, INSIDE_BALL, i)
@@ -260,7 +265,6 @@ def meet_pair(
         return
     if dx == 0.0 and dy == 0.0:
         state["overlaps"] += 1
-    px, py, nx, ny, setback = contact
     push_apart(first, second, nx, ny, setback)
     saved[i]["touched"] = BOTH_DUE
     saved[j]["touched"] = BOTH_DUE

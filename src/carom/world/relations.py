@@ -49,3 +49,25 @@ def drop_relation(state: Row, relations: Rows, ball: Row, place: int, before: in
     state["free_relation"] = place
     state["relations"] -= 1
     return following
+
+
+def has_kind(relations: Rows, ball: Row, kind: int) -> bool:
+    """True if the ball has a relation of the kind to anything."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind:
+            return True
+        place = int(relations[place]["next"])
+    return False
+
+
+def drop_kind(state: Row, relations: Rows, ball: Row, kind: int, other: int) -> None:
+    """Take out the relation `kind` of a ball to row `other`, if there is one."""
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind and relations[place]["other"] == other:
+            drop_relation(state, relations, ball, place, before)
+            return
+        before = place
+        place = int(relations[place]["next"])

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.rows import NO_RELATION, Row, Rows
-from carom.world.layout import EXIT, INSIDE_BALL, PASSING
+from carom.world.layout import EXIT, INSIDE_BALL, INSIDE_SHAPE
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation
 from carom.world.tables import Room
@@ -48,7 +48,7 @@ def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_])
     for kind, ball, other in relations_in_order(room):
         others, gone = (room.balls.used, balls) if kind == INSIDE_BALL else (room.shapes.used, shapes)
         if balls[ball] or gone[other]:
-            if kind != PASSING:
+            if kind in (INSIDE_SHAPE, INSIDE_BALL):
                 _exit(room, room.balls.used[ball], others[other])
         else:
             moved = new_ball if kind == INSIDE_BALL else new_shape

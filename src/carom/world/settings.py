@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-DETECTIONS = ("discrete",)
+DETECTIONS = ("discrete", "continuous")
 BROAD_PHASES = ("brute", "grid", "quadtree")
 RESTITUTIONS = ("normal", "total")
 
@@ -159,7 +159,12 @@ class Settings:
     """The settings of a world (2.1), each an attribute that can be changed while the world runs."""
 
     gravity = vector((0.0, 0.0), "gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
-    detection = choice("discrete", DETECTIONS, "detection", "How collisions are found: after moving (`discrete`).")
+    detection = choice(
+        "discrete",
+        DETECTIONS,
+        "detection",
+        "How collisions are found: after moving (`discrete`) or when they happen (`continuous`).",
+    )
     substeps = count(4, 1_000_000, "substeps", "Motion iterations per step.")
     iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")
     broad_phase = choice("grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs.")

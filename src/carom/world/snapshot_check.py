@@ -13,7 +13,7 @@ from carom.errors import InvalidArgument, SnapshotError
 from carom.rows import ARC, BALL, CIRCLE, GATE, KINEMATIC, NO_RELATION, POINT, SEGMENT, SHAPE, STATIC, Rows
 from carom.shapes.compound import Compound
 from carom.shapes.pose import derive
-from carom.world.layout import EXIT, HIT, INSIDE_BALL, INSIDE_SHAPE, PASSING, STATE
+from carom.world.layout import EXIT, HIT, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, STATE
 from carom.world.removal import Relation
 from carom.world.settings import SETTINGS, Settings
 from carom.world.statistics import COUNTERS
@@ -145,7 +145,7 @@ def _check_relations(contents: Contents) -> None:
     kinds = contents.shapes["kind"]
     for kind, ball, other in contents.relation_list:
         others = contents.balls if kind == INSIDE_BALL else contents.shapes
-        need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL), "relations of unknown kinds")
+        need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL, LASTING), "relations of unknown kinds")
         need(0 <= ball < len(contents.balls) and 0 <= other < len(others), "relations of unknown rows")
         need(kind != INSIDE_BALL or other < ball, "relations of balls in the wrong order")
         need(kind != PASSING or kinds[other] in (SEGMENT, GATE, ARC), "balls that pass what nothing passes")

@@ -11,7 +11,7 @@ from carom import checks
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS, BALL, KINEMATIC, NO_RELATION, SHAPE, Row, Rows
 from carom.shapes.table import Owner, Table
-from carom.world.layout import CELL, HIT, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
+from carom.world.layout import CELL, DISCRETE, FLIGHT, HIT, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
 
 
 class WorldTable(Table):
@@ -80,10 +80,12 @@ class Room:
         self.saved = np.zeros(0, SAVED)
         self.hits = np.zeros(64, HIT)
         self.relations = np.zeros(32, RELATION)
+        self.flights = np.zeros(0, FLIGHT)
+        self.queue = np.zeros(0, "i4")
 
     def arguments(self) -> tuple[Rows, ...]:
-        """The arguments of a step's kernel."""
-        return (
+        """The arguments of a step's kernel; that of the continuous mode has two more."""
+        tables = (
             self.states,
             self.balls.rows,
             self.shapes.rows,
@@ -98,6 +100,9 @@ class Room:
             self.hits,
             self.relations,
         )
+        if self.states[0]["detection"] == DISCRETE:
+            return tables
+        return (*tables, self.flights, self.queue)
 
     def prepare(self) -> None:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
@@ -115,6 +120,9 @@ class Room:
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
             self.slots = np.zeros(len(self.balls.rows), SLOT)
+        if state["detection"] != DISCRETE and len(self.flights) < self.balls.count:
+            self.flights = np.zeros(len(self.balls.rows), FLIGHT)
+            self.queue = np.zeros(len(self.balls.rows), "i4")
 
     def extend(self, status: int) -> None:
         """Make the room that a kernel asked for when it came back with `status`."""

@@ -34,6 +34,9 @@ T = TypeVar("T", bound=Shape | Ball | Compound)
 
 NO_BALLS: Rows = np.zeros(0, BALL)
 
+#: The kernel of each detection's step.
+STEP_KERNELS = ("discrete.step_discrete", "continuous.step_continuous")
+
 #: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
 SLICE_SECONDS = 0.1
 
@@ -374,7 +377,7 @@ class World(Settings):
         if self._arguments is None:
             self._room.prepare()
             self._arguments = self._room.arguments()
-        kernel = compiled.load("discrete.step_discrete")
+        kernel = compiled.load(STEP_KERNELS[state["detection"]])
         if dt != self._dt:
             state["dt"] = self._dt = dt
         state["steps_left"] = steps

@@ -1,0 +1,308 @@
+"""A step in the continuous mode: balls fly on their exact paths from impact to impact, in order of time (2.3).
+
+Each stage can stop where room runs out, and go on from there when there is more.
+"""
+
+from __future__ import annotations
+
+from carom.constants import SPAN_END
+from carom.rows import NO_RELATION, Row, Rows
+from carom.world.arrival import arrive
+from carom.world.discrete import (
+    enter_stage,
+    find_pairs,
+    finish,
+    meet_all_pairs,
+    meet_all_shapes,
+    rebuild_index,
+    rest_speed,
+    substep_length,
+)
+from carom.world.encounter import count_impact, impact_of_balls, impact_with_shape
+from carom.world.flight import fly_to, forget_partner, new_flights, place_at
+from carom.world.foresee import foresee
+from carom.world.layout import (
+    BEGIN,
+    DONE,
+    FIND_PAIRS,
+    FINISH,
+    FLY,
+    FORESEE,
+    HIT_BALL,
+    HIT_SHAPE,
+    LASTING,
+    LEAVE,
+    MOVE,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    PAIRS,
+    PAIRS_DUE,
+    SHAPES,
+    SHAPES_DUE,
+    SPAN,
+)
+from carom.world.relations import drop_kind, has_kind, relations_room
+from carom.world.safety import begin_step, end_step
+from carom.world.shape_index import FIXED, locate
+from carom.world.spans import begin_flights, move_shapes_on, set_shapes_going, span_length
+from carom.world.support import lean
+
+
+def step_continuous(
+    states: Rows,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    slots: Rows,
+    starts: Rows,
+    pairs: Rows,
+    saved: Rows,
+    hits: Rows,
+    relations: Rows,
+    flights: Rows,
+    queue: Rows,
+) -> int:
+    """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on, as `step_discrete`.
+
+    Balls that overlap when a step begins are first moved apart by the stages of the discrete mode.
+    """
+    state = states[0]
+    while state["steps_left"] > 0:
+        stage = state["stage"]
+        if stage == BEGIN:
+            status = begin_step(states, balls, shapes, order, saved, relations)
+        elif stage == MOVE:
+            status = begin_substep(state, balls, shapes, order, index, cells, members, saved, flights)
+        elif stage == SHAPES:
+            status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+        elif stage == FIND_PAIRS:
+            status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
+        elif stage == PAIRS:
+            status = meet_all_pairs(state, balls, pairs, saved, hits, relations)
+            if state["stage"] == FINISH:
+                enter_stage(state, SPAN)
+        elif stage == SPAN:
+            status = begin_span(state, balls, shapes, order, index, cells, members, starts, flights)
+        elif stage == FORESEE:
+            foresee_all(state, balls, shapes, order, index, cells, members, starts, relations, flights, queue)
+            status = DONE
+        elif stage == FLY:
+            status = fly(
+                state, balls, shapes, order, index, cells, members, starts, hits, relations, flights, queue
+            )  # fmt: skip
+        elif stage == FINISH:
+            status = finish(state, balls, shapes, hits, relations)
+        else:
+            status = end_step(states, balls, shapes, order, saved, relations)
+        if status != DONE:
+            return status
+    return DONE
+
+
+def begin_substep(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    saved: Rows,
+    flights: Rows,
+) -> int:
+    """DONE when the index of shapes is right and balls may be moved apart (once a step) or fly."""
+    if not rebuild_index(state, balls, shapes, order, index, cells, members):
+        return NEEDS_PAIRS
+    new_flights(state, flights)
+    state["span_begin"] = 0.0
+    state["iteration"] = 0
+    state["found"] = 0
+    for i in range(state["balls"]):
+        saved[i]["touched"] = SHAPES_DUE | PAIRS_DUE
+    enter_stage(state, SHAPES if state["substep"] == 0 else SPAN)
+    return DONE
+
+
+def begin_span(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    heads: Rows,
+    flights: Rows,
+) -> int:
+    """DONE when shapes and balls are set going for the span; NEEDS_PAIRS if there is too little room for the cells."""
+    if not rebuild_index(state, balls, shapes, order, index, cells, members):
+        return NEEDS_PAIRS
+    state["span"] = span_length(state, shapes, order, substep_length(state) - float(state["span_begin"]))
+    if not begin_flights(state, balls, flights, heads):
+        return NEEDS_PAIRS
+    set_shapes_going(state, balls, shapes, order)
+    enter_stage(state, FORESEE)
+    return DONE
+
+
+def foresee_all(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    heads: Rows,
+    relations: Rows,
+    flights: Rows,
+    queue: Rows,
+) -> None:
+    """Foresee what comes first for every ball; each pair is looked at once."""
+    duration = substep_length(state)
+    for i in range(state["balls"]):
+        lean(state, balls[i], flights[i], shapes, relations, duration, True)
+    for i in range(state["balls"]):
+        foresee(
+            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i, False
+        )  # fmt: skip
+    enter_stage(state, FLY)
+
+
+def fly(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    heads: Rows,
+    hits: Rows,
+    relations: Rows,
+    flights: Rows,
+    queue: Rows,
+) -> int:
+    """DONE when all events of the span are dealt with and every ball is where it ends; NEEDS_ROOM if hits ran out."""
+    rest = rest_speed(state)
+    most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 2
+    while True:
+        wanted = most + int(state["relations"])
+        if len(hits) - state["hits"] < wanted or relations_room(state, relations) < most:
+            state["wanted_hits"] = state["hits"] + wanted
+            state["wanted_relations"] = state["relations"] + most
+            return NEEDS_ROOM
+        if state["queued"] > 0:
+            i = int(queue[0])
+            deal_with(
+                state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, i, rest
+            )  # fmt: skip
+        else:
+            end_flights(state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, most)
+            if state["cursor"] == state["balls"]:
+                break
+    move_shapes_on(state, shapes, order)
+    state["span_begin"] += state["span"]
+    enter_stage(state, SPAN if state["span_begin"] < substep_length(state) * SPAN_END else FINISH)
+    return DONE
+
+
+def end_flights(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    heads: Rows,
+    hits: Rows,
+    relations: Rows,
+    flights: Rows,
+    most: int,
+) -> None:
+    """Move the balls, from the cursor on, to where they end the span; as far as there is room for hits."""
+    span = float(state["span"])
+    duration = substep_length(state)
+    kinematic = state["shapes"] > state["fixed"]
+    for i in range(state["cursor"], state["balls"]):
+        if len(hits) - state["hits"] < most + state["relations"] or relations_room(state, relations) < most:
+            return
+        state["cursor"] = i + 1
+        ball, flight = balls[i], flights[i]
+        if ball["relation"] == NO_RELATION and not kinematic:
+            x, y, _vx, _vy = place_at(ball, flight, span)
+            cell = locate(state, index[FIXED], cells, x, y)
+            if cell < 0 or cells[cell]["begin"] == cells[cell]["end"]:
+                fly_to(ball, flight, span)
+                continue
+        arrive(
+            state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, i, span
+        )  # fmt: skip
+        lean(state, ball, flight, shapes, relations, duration, False)
+
+
+def deal_with(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    order: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    heads: Rows,
+    hits: Rows,
+    relations: Rows,
+    flights: Rows,
+    queue: Rows,
+    i: int,
+    rest: float,
+) -> None:
+    """Deal with the next event, which is that of ball `i`, and foresee what comes next for the balls concerned."""
+    ball, flight = balls[i], flights[i]
+    event, partner, time = int(flight["event"]), int(flight["partner"]), float(flight["event_time"])
+    stale = event == HIT_BALL and flights[partner]["version"] != flight["partner_version"]
+    arrive(
+        state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, i, time
+    )  # fmt: skip
+    duration = substep_length(state)
+    if event == HIT_BALL and not stale:
+        arrive(
+            state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, partner, time
+        )  # fmt: skip
+        impact_of_balls(state, balls, flights, min(i, partner), max(i, partner), hits, relations, rest)
+        count_impact(state, flight)
+        count_impact(state, flights[partner])
+        change_path(state, balls[partner], flights[partner], shapes, relations, duration)
+        change_path(state, ball, flight, shapes, relations, duration)
+        foresee(
+            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, partner, True
+        )  # fmt: skip
+    elif event == HIT_SHAPE:
+        impact_with_shape(
+            state, ball, flight, i, shapes, partner, index, cells, members, hits, relations, rest
+        )  # fmt: skip
+        count_impact(state, flight)
+        change_path(state, ball, flight, shapes, relations, duration)
+    elif event == LEAVE:
+        drop_kind(state, relations, ball, LASTING, partner)
+        change_path(state, ball, flight, shapes, relations, duration)
+    elif not stale:
+        look_around(state, ball, flight, shapes, relations, duration)
+    foresee(state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i, True)
+
+
+def change_path(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, duration: float) -> None:
+    """Let a ball fly on as an impact left it; what others have foreseen with it counts no more."""
+    forget_partner(flight)
+    lean(state, ball, flight, shapes, relations, duration, True)
+
+
+def look_around(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, duration: float) -> None:
+    """Put a ball that slides back onto what holds it; its path changes a little with that."""
+    if has_kind(relations, ball, LASTING):
+        forget_partner(flight)
+        lean(state, ball, flight, shapes, relations, duration, False)

@@ -1,0 +1,261 @@
+"""Impacts of balls in flight: with shapes, gates and sensors, and with each other (1.11, 2.3)."""
+
+from __future__ import annotations
+
+from carom.constants import LASTING_PART, SEPARATION_SLACK, SQUEEZE_GAP
+from carom.geometry.response import exchanged, reflected, reflected_total
+from carom.geometry.vector import dot, length
+from carom.rows import GATE, Row, Rows
+from carom.shapes.contact import gate_opens
+from carom.world.arrival import time_of
+from carom.world.flight import fall_freely
+from carom.world.layout import ASLEEP, ENTER, FLYING, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, STALLED
+from carom.world.motion import wake
+from carom.world.narrow import limit_speed, may_collide, push_apart
+from carom.world.recording import record_hit, write_hit
+from carom.world.relations import add_relation
+from carom.world.shape_index import FIXED, locate
+from carom.world.support import lasting_speed, pressure
+from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
+
+
+def impact_with_shape(
+    state: Row,
+    ball: Row,
+    flight: Row,
+    i: int,
+    shapes: Rows,
+    row: int,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    hits: Rows,
+    relations: Rows,
+    rest_speed: float,
+) -> None:
+    """Do what follows from a ball's touching a shape: it bounces, comes to rest, enters a sensor or passes.
+
+    There must be room for a hit and a relation.
+    """
+    shape = shapes[row]
+    time = float(flight["time"])
+    if shape["sensor"] != 0 or ball["sensor"] != 0:
+        add_relation(state, relations, ball, i, INSIDE_SHAPE, row)
+        write_hit(state, hits, time_of(state, time), ENTER, int(ball["id"]), int(shape["id"]))
+        return
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    if shape["kind"] == GATE:
+        fx, fy = x, y
+        if is_moving(shape):
+            fx, fy = into_frame(shape, time, x, y)
+        if gate_opens(shape, fx, fy):
+            add_relation(state, relations, ball, i, PASSING, row)
+            return
+    found = gap_to_shape(shape, time, x, y, radius, float(ball["vx"]), float(ball["vy"]))
+    if found is None:
+        return
+    gap, nx, ny = found
+    if is_moving(shape) and is_squeezed(ball, shapes, index, state, cells, members, nx, ny):
+        state["squeezed"] += 1
+        add_relation(state, relations, ball, i, PASSING, row)
+        return
+    if gap < 0.0:
+        ball["x"] = x - gap * nx
+        ball["y"] = y - gap * ny
+    bounce(state, ball, flight, i, shape, row, hits, relations, rest_speed, gap, nx, ny)
+
+
+def bounce(
+    state: Row,
+    ball: Row,
+    flight: Row,
+    i: int,
+    shape: Row,
+    row: int,
+    hits: Rows,
+    relations: Rows,
+    rest_speed: float,
+    gap: float,
+    nx: float,
+    ny: float,
+) -> None:
+    """Turn a touching ball's velocity if it approaches, record the hit, and let the contact last if it would."""
+    time = float(flight["time"])
+    radius, vx, vy = float(ball["radius"]), float(ball["vx"]), float(ball["vy"])
+    px, py = float(ball["x"]) - radius * nx, float(ball["y"]) - radius * ny
+    ux, uy = velocity_of_surface(shape, time, px, py)
+    s = dot(vx - ux, vy - uy, nx, ny)
+    elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
+    kick = float(shape["kick"])
+    if s < 0.0:
+        if elasticity < 1.0 and kick == 0.0 and -s < rest_speed:
+            ball["vx"] = vx - s * nx
+            ball["vy"] = vy - s * ny
+        else:
+            if state["total_restitution"] != 0:
+                new_x, new_y, gain = reflected_total(vx, vy, ux, uy, nx, ny, elasticity, s, kick)
+            else:
+                new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, s, kick)
+            ball["vx"] = new_x
+            ball["vy"] = new_y
+            limit_speed(state, ball)
+            setback, speed = max(-gap, 0.0), length(vx - ux, vy - uy)
+            impulse = gain * float(ball["mass"])
+            record_hit(state, hits, time_of(state, time), ball, shape, px, py, nx, ny, setback, speed, impulse)
+    if kick > 0.0:
+        return
+    press = pressure(state, shape, time, ball, nx, ny)
+    if press > 0.0:
+        substep = float(state["dt"]) / float(state["substeps"])
+        u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
+        # At e >= 1 rebounds never end; a contact lasts where they would come more often than `max_impacts` allows.
+        slowest = lasting_speed(press, substep)
+        if elasticity >= 1.0:
+            slowest = 0.5 * press * substep / float(state["max_impacts"])
+        if u <= slowest:
+            ball["vx"] -= u * nx
+            ball["vy"] -= u * ny
+            add_relation(state, relations, ball, i, LASTING, row)
+
+
+def is_squeezed(
+    ball: Row,
+    shapes: Rows,
+    index: Rows,
+    state: Row,
+    cells: Rows,
+    members: Rows,
+    nx: float,
+    ny: float,
+) -> bool:
+    """True if a ball that a moving shape pushes along its normal has next to no room before a static shape."""
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    cell = locate(state, index[FIXED], cells, x, y)
+    if cell < 0:
+        return False
+    for k in range(int(cells[cell]["begin"]), int(cells[cell]["end"])):
+        shape = shapes[members[k]]
+        if shape["sensor"] == 0 and may_collide(ball, shape):
+            found = gap_at_rest(shape, x, y, radius, nx, ny, 0.0)
+            if found is not None:
+                gap, wall_x, wall_y = found
+                if gap < SQUEEZE_GAP * radius and dot(nx, ny, wall_x, wall_y) < -0.5:
+                    return shape["kind"] != GATE or not gate_opens(shape, x, y)
+    return False
+
+
+def impact_of_balls(
+    state: Row,
+    balls: Rows,
+    flights: Rows,
+    i: int,
+    j: int,
+    hits: Rows,
+    relations: Rows,
+    rest_speed: float,
+) -> bool:
+    """Do what follows from two balls' touching: `i` before `j` by row. True if a push has moved them.
+
+    There must be room for a hit and a relation.
+    """
+    first, second = balls[i], balls[j]
+    now = float(flights[i]["time"])
+    dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
+    if first["sensor"] != 0 or second["sensor"] != 0:
+        add_relation(state, relations, second, j, INSIDE_BALL, i)
+        write_hit(state, hits, time_of(state, now), ENTER, int(second["id"]), int(first["id"]))
+        return False
+    vx, vy = velocity_in_flight(first, flights[i])
+    wx, wy = velocity_in_flight(second, flights[j])
+    away = length(dx, dy)
+    if away == 0.0:
+        state["overlaps"] += 1
+        dx, dy = vx - wx, vy - wy
+        if dx == 0.0 and dy == 0.0:
+            dy = 1.0
+        nx, ny = dx / length(dx, dy), dy / length(dx, dy)
+    else:
+        nx, ny = dx / away, dy / away
+    reach = float(first["radius"]) + float(second["radius"])
+    setback = max(reach - away, 0.0)
+    pushed = setback > SEPARATION_SLACK * reach
+    if pushed:
+        part_balls(first, flights[i], second, flights[j], nx, ny, setback)
+    u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
+    if u2 - u1 >= 0.0:
+        return pushed
+    elasticity = float(first["elasticity"]) * float(second["elasticity"])
+    resting = elasticity < 1.0 and u1 - u2 < rest_speed
+    gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
+    if resting:
+        until = now + LASTING_PART * float(state["dt"]) / float(state["substeps"])
+        flights[i]["patience"] = until
+        flights[j]["patience"] = until
+        return pushed
+    let_fly(state, first, flights[i])
+    let_fly(state, second, flights[j])
+    limit_speed(state, first)
+    limit_speed(state, second)
+    px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
+    speed = length(wx - vx, wy - vy)
+    record_hit(state, hits, time_of(state, now), second, first, px, py, nx, ny, setback, speed, gain)
+    return pushed
+
+
+def velocity_in_flight(ball: Row, flight: Row) -> tuple[float, float]:
+    """The velocity with which a ball meets others: none, if it stands still for the rest of the substep."""
+    if flight["kind"] == FLYING:
+        return float(ball["vx"]), float(ball["vy"])
+    return 0.0, 0.0
+
+
+def part_balls(first: Row, one: Row, second: Row, other: Row, nx: float, ny: float, setback: float) -> None:
+    """Move two balls apart until they touch; one that stands still stays where it is."""
+    if one["kind"] != STALLED and other["kind"] != STALLED:
+        push_apart(first, second, nx, ny, setback)
+    elif one["kind"] != STALLED:
+        first["x"] -= setback * nx
+        first["y"] -= setback * ny
+    elif other["kind"] != STALLED:
+        second["x"] += setback * nx
+        second["y"] += setback * ny
+
+
+def exchange(
+    first: Row, one: Row, second: Row, other: Row, u1: float, u2: float, nx: float, ny: float, elasticity: float
+) -> float:
+    """The momentum that the second ball gets along the normal when two balls that approach bounce.
+
+    One that stands still for the rest of the substep is met as a wall, and keeps its velocity.
+    """
+    m1, m2 = float(first["mass"]), float(second["mass"])
+    if one["kind"] != STALLED and other["kind"] != STALLED:
+        new1, new2 = exchanged(u1, u2, m1, m2, elasticity)
+    elif one["kind"] == STALLED:
+        new1, new2 = u1, u1 - elasticity * (u2 - u1)
+    else:
+        new1, new2 = u2 - elasticity * (u1 - u2), u2
+    if one["kind"] != STALLED:
+        first["vx"] += (new1 - u1) * nx
+        first["vy"] += (new1 - u1) * ny
+    if other["kind"] != STALLED:
+        second["vx"] += (new2 - u2) * nx
+        second["vy"] += (new2 - u2) * ny
+    return m2 * (new2 - u2) if other["kind"] != STALLED else m1 * (u1 - new1)
+
+
+def let_fly(state: Row, ball: Row, flight: Row) -> None:
+    """Wake a ball that was hit and let it fly from now on."""
+    if flight["kind"] == ASLEEP:
+        wake(state, ball)
+        flight["kind"] = FLYING
+        fall_freely(state, flight)
+
+
+def count_impact(state: Row, flight: Row) -> None:
+    """Count an impact of a ball, and stop the ball for the rest of the substep if it has had too many."""
+    flight["impacts"] += 1
+    if flight["impacts"] >= state["max_impacts"] and flight["kind"] == FLYING:
+        flight["kind"] = STALLED
+        fall_freely(state, flight)
+        state["stalled"] += 1

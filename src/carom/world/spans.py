@@ -1,0 +1,61 @@
+"""Spans of a substep: from one time at which a shape reaches a stop to the next, shapes move evenly."""
+
+from __future__ import annotations
+
+from carom.constants import STOP_MARGIN
+from carom.rows import KINEMATIC, Row, Rows
+from carom.shapes.pose import acting_spin, advance_pose, set_before
+from carom.world.bins import open_bins
+from carom.world.flight import begin_flight
+from carom.world.motion import wake_in_box
+from carom.world.surfaces import is_moving, span_box
+
+
+def time_to_stop(shape: Row) -> float:
+    """The time in which a turning shape reaches its stop; below 0 if it does not."""
+    spin = acting_spin(shape)
+    if spin == 0.0 or shape["turn_limited"] == 0:
+        return -1.0
+    stop = float(shape["turn_high"]) if spin > 0.0 else float(shape["turn_low"])
+    return (stop - float(shape["orientation"])) / spin
+
+
+def span_length(state: Row, shapes: Rows, order: Rows, rest: float) -> float:
+    """The time until the next kinematic shape reaches a stop, or the `rest` of the substep if none does before."""
+    span = rest
+    for k in range(state["fixed"], state["shapes"]):
+        time = time_to_stop(shapes[order[k]])
+        if 0.0 < time < span:
+            span = time
+    return span
+
+
+def set_shapes_going(state: Row, balls: Rows, shapes: Rows, order: Rows) -> None:
+    """Note how the kinematic shapes move in the span, and wake the balls in their way."""
+    for k in range(state["fixed"], state["shapes"]):
+        shape = shapes[order[k]]
+        set_before(shape)
+        shape["spin"] = acting_spin(shape)
+        if state["sleeping"] > 0 and is_moving(shape):
+            left, bottom, right, top = span_box(shape, float(state["span"]))
+            wake_in_box(state, balls, left, bottom, right, top)
+
+
+def move_shapes_on(state: Row, shapes: Rows, order: Rows) -> None:
+    """Move the kinematic shapes to where they are at the end of the span."""
+    for k in range(state["fixed"], state["shapes"]):
+        shape = shapes[order[k]]
+        span = float(state["span"])
+        # A stop that is reached at the span's end is reached exactly, whatever the rounding of its time.
+        if 0.0 < time_to_stop(shape) <= span * STOP_MARGIN:
+            span = span * STOP_MARGIN
+        if shape["motion"] == KINEMATIC and advance_pose(shape, span):
+            state["moving_stale"] = 1
+
+
+def begin_flights(state: Row, balls: Rows, flights: Rows, heads: Rows) -> bool:
+    """True when all balls are ready to fly and filed; False if `heads` has too little room."""
+    for i in range(state["balls"]):
+        begin_flight(state, balls[i], flights[i])
+    state["queued"] = 0
+    return open_bins(state, balls, flights, heads)

@@ -1,0 +1,208 @@
+"""Lasting contacts: a ball that rests on a shape, rolls or slides along it, or is pressed by it (2.3).
+
+Such a ball flies on with the acceleration that keeps it on the shape: exactly along a segment at rest, along the
+osculating parabola where the shape is bent or moves, from where it is put back onto the shape after a part of the
+substep. On shapes at rest its speed follows from its energy, so it changes by gravity alone.
+"""
+
+from __future__ import annotations
+
+from math import fabs, sqrt
+
+from carom.constants import END_SLOP, LASTING_PART, LIFT, SLIDE_PART
+from carom.geometry.roots import falling_time
+from carom.geometry.vector import cross, dot
+from carom.rows import GATE, NO_RELATION, SEGMENT, Row, Rows
+from carom.world.flight import fall_freely
+from carom.world.layout import FLYING, LASTING
+from carom.world.narrow import may_collide
+from carom.world.relations import drop_relation
+from carom.world.surfaces import gap_to_shape, is_moving, out_of_frame, velocity_of_surface
+
+
+def holding_acceleration(
+    shape: Row, time: float, x: float, y: float, vx: float, vy: float, nx: float, ny: float
+) -> float:
+    """The acceleration along the normal that keeps a touching ball at (x, y) on the shape at a time of the span.
+
+    The second derivative of the gap is 0: for a line that turns with ω about c, travelling with u, that of
+    (p - c)·n is a·n + 2ω(v - u)·perp(n) - ω²(p - c)·n; for a circle about C, that of |p - C| is
+    (a - C'')·m + w_t²/|p - C|.
+    """
+    moving = is_moving(shape)
+    spin = float(shape["spin"]) if moving else 0.0
+    ux = float(shape["velocity_x"]) if moving else 0.0
+    uy = float(shape["velocity_y"]) if moving else 0.0
+    px, py = float(shape["pivot_x"]) + ux * time, float(shape["pivot_y"]) + uy * time
+    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+        return spin * spin * dot(x - px, y - py, nx, ny) - 2.0 * spin * dot(vx - ux, vy - uy, -ny, nx)
+    cx, cy = float(shape["cx"]), float(shape["cy"])
+    if moving:
+        cx, cy = out_of_frame(shape, time, cx, cy)
+    dx, dy = x - cx, y - cy
+    away_squared = dx * dx + dy * dy
+    if away_squared == 0.0:
+        return 0.0
+    away = sqrt(away_squared)
+    mx, my = dx / away, dy / away
+    wx, wy = vx - (ux - spin * (cy - py)), vy - (uy + spin * (cx - px))
+    across = cross(mx, my, wx, wy)
+    outward = -spin * spin * dot(cx - px, cy - py, mx, my) - across * across / away
+    return outward if dot(mx, my, nx, ny) > 0.0 else -outward
+
+
+def pressure(state: Row, shape: Row, time: float, ball: Row, nx: float, ny: float) -> float:
+    """The acceleration with which a ball that touches a shape is pressed against it; negative if it is pulled off."""
+    x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
+    held = holding_acceleration(shape, time, x, y, vx, vy, nx, ny)
+    return held - dot(float(state["gravity_x"]), float(state["gravity_y"]), nx, ny)
+
+
+def lasting_speed(press: float, duration: float) -> float:
+    """The speed of a rebound that ends within a `LASTING_PART` of a substep of length `duration`."""
+    return 0.5 * press * LASTING_PART * duration
+
+
+def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, duration: float, changed: bool) -> None:
+    """Give a ball the acceleration that its lasting contacts and gravity leave it, and put it onto what holds it.
+
+    `duration` is that of a substep. Where its velocity has `changed` by an impact, contacts from which it is thrown, or
+    into which, end; so do those that pull it off, have opened, or ended. Of more than two the last ones begun count.
+    """
+    fall_freely(state, flight)
+    if flight["kind"] != FLYING or ball["relation"] == NO_RELATION:
+        return
+    first = NO_RELATION
+    second = NO_RELATION
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == LASTING:
+            held = second == NO_RELATION and holds(
+                state, ball, float(flight["time"]), shapes[relations[place]["other"]], duration, changed
+            )
+            if not held:
+                place = drop_relation(state, relations, ball, place, before)
+                continue
+            if first == NO_RELATION:
+                first = place
+            else:
+                second = place
+        before = place
+        place = int(relations[place]["next"])
+    if first == NO_RELATION:
+        return
+    if second == NO_RELATION:
+        rest_on_one(state, ball, flight, shapes[relations[first]["other"]], changed)
+    else:
+        rest_on_two(ball, flight, shapes[relations[first]["other"]], shapes[relations[second]["other"]])
+
+
+def holds(state: Row, ball: Row, time: float, shape: Row, duration: float, changed: bool) -> bool:
+    """True if a lasting contact goes on: it is closed and pressed, and no impact throws the ball off or in."""
+    if not may_collide(ball, shape):
+        return False
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    found = gap_to_shape(shape, time, x, y, radius, vx, vy)
+    if found is None:
+        return False
+    gap, nx, ny = found
+    press = pressure(state, shape, time, ball, nx, ny)
+    if press <= 0.0 or fabs(gap) > LIFT * radius:
+        return False
+    if not changed:
+        return True
+    ux, uy = velocity_of_surface(shape, time, x - radius * nx, y - radius * ny)
+    return fabs(dot(vx - ux, vy - uy, nx, ny)) <= lasting_speed(press, duration)
+
+
+def put_onto(ball: Row, time: float, shape: Row) -> tuple[float, float, float]:
+    """The normal of a shape at a ball that it holds, and the acceleration that holds it; the ball then touches it.
+
+    The ball keeps no speed along the normal but the surface's.
+    """
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    found = gap_to_shape(shape, time, x, y, radius, vx, vy)
+    if found is None:
+        return 0.0, 0.0, 0.0
+    gap, nx, ny = found
+    x -= gap * nx
+    y -= gap * ny
+    ux, uy = velocity_of_surface(shape, time, x - radius * nx, y - radius * ny)
+    into = dot(vx - ux, vy - uy, nx, ny)
+    vx -= into * nx
+    vy -= into * ny
+    ball["x"] = x
+    ball["y"] = y
+    ball["vx"] = vx
+    ball["vy"] = vy
+    return nx, ny, holding_acceleration(shape, time, x, y, vx, vy, nx, ny)
+
+
+def rest_on_one(state: Row, ball: Row, flight: Row, shape: Row, changed: bool) -> None:
+    """Let one shape hold a ball."""
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    nx, ny, held = put_onto(ball, float(flight["time"]), shape)
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    potential = dot(gx, gy, float(ball["x"]), float(ball["y"]))
+    if changed or is_moving(shape):
+        flight["energy"] = 0.5 * (vx * vx + vy * vy) - potential
+    else:
+        along = cross(nx, ny, vx, vy)
+        speed = sqrt(max(2.0 * (float(flight["energy"]) + potential), 0.0))
+        if along < 0.0:
+            speed = -speed
+        ball["vx"] = -ny * speed
+        ball["vy"] = nx * speed
+        if shape["kind"] != SEGMENT and shape["kind"] != GATE:
+            x, y = float(ball["x"]), float(ball["y"])
+            time = float(flight["time"])
+            held = holding_acceleration(shape, time, x, y, float(ball["vx"]), float(ball["vy"]), nx, ny)
+    push = held - dot(gx, gy, nx, ny)
+    flight["ax"] = gx + push * nx
+    flight["ay"] = gy + push * ny
+
+
+def rest_on_two(ball: Row, flight: Row, first: Row, second: Row) -> None:
+    """Let two shapes hold a ball: a·n = h for both, or for one if that lifts the ball off the other."""
+    time = float(flight["time"])
+    gx, gy = float(flight["ax"]), float(flight["ay"])
+    n1x, n1y, held1 = put_onto(ball, time, first)
+    n2x, n2y, held2 = put_onto(ball, time, second)
+    push1 = held1 - dot(gx, gy, n1x, n1y)
+    push2 = held2 - dot(gx, gy, n2x, n2y)
+    ax, ay = gx + push1 * n1x, gy + push1 * n1y
+    if dot(ax, ay, n2x, n2y) < held2:
+        ax, ay = gx + push2 * n2x, gy + push2 * n2y
+        if dot(ax, ay, n1x, n1y) < held1:
+            wedge = cross(n1x, n1y, n2x, n2y)
+            if fabs(wedge) > LIFT:
+                ax = (held1 * n2y - held2 * n1y) / wedge
+                ay = (held2 * n1x - held1 * n2x) / wedge
+    flight["ax"] = ax
+    flight["ay"] = ay
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    flight["energy"] = 0.5 * (vx * vx + vy * vy) - dot(gx, gy, float(ball["x"]), float(ball["y"]))
+
+
+def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[float, bool]:
+    """How long a ball may go on along a shape that holds it, and whether it comes to the shape's end then."""
+    if shape["kind"] != SEGMENT or is_moving(shape):
+        return SLIDE_PART * duration, False
+    tx, ty, slop = float(shape["tx"]), float(shape["ty"]), 2.0 * END_SLOP * float(ball["radius"])
+    along = dot(float(ball["x"]) - float(shape["ax"]), float(ball["y"]) - float(shape["ay"]), tx, ty)
+    rate = dot(float(ball["vx"]), float(ball["vy"]), tx, ty)
+    acceleration = dot(float(flight["ax"]), float(flight["ay"]), tx, ty)
+    time = duration
+    leaves = False
+    back = falling_time(along + slop, rate, acceleration)
+    if back is not None and back < time:
+        time = 0.0 + back
+        leaves = True
+    ahead = falling_time(float(shape["length"]) + slop - along, -rate, -acceleration)
+    if ahead is not None and ahead < time:
+        time = 0.0 + ahead
+        leaves = True
+    return time, leaves
