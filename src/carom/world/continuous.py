@@ -1,4 +1,4 @@
-"""A step in the continuous mode: balls fly on their exact paths from impact to impact, in order of time (2.3).
+"""A step in the continuous mode: balls fly on their exact paths from impact to impact, in order of time.
 
 Each stage can stop where room runs out, and go on from there when there is more.
 """

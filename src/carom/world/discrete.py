@@ -1,4 +1,4 @@
-"""A step in the discrete mode: overlaps are found after moving (2.2).
+"""A step in the discrete mode: overlaps are found after moving.
 
 Each stage can stop where room runs out, and go on from there when there is more.
 """

@@ -1,4 +1,4 @@
-"""Impacts of balls in flight: with shapes, gates and sensors, and with each other (1.11, 2.3)."""
+"""Impacts of balls in flight: with shapes, gates and sensors, and with each other."""
 
 from __future__ import annotations
 

@@ -69,7 +69,7 @@ PAIRS_DUE = 2
 #: which is the copy that a step which fails is rolled back to.
 STATE = np.dtype(
     [
-        # settings (2.1)
+        # settings
         ("gravity_x", "f8"),
         ("gravity_y", "f8"),
         ("friction", "f8"),

@@ -1,4 +1,4 @@
-"""How balls and kinematic shapes move in one substep (1.8)."""
+"""How balls and kinematic shapes move in one substep."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens when a ball and a shape, or two balls, are found close together in the discrete mode (1.10 to 1.13)."""
+"""What happens when a ball and a shape, or two balls, are found close together in the discrete mode."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def crossing_share(ax: float, ay: float, x0: float, y0: float, x1: float, y1: fl
 def starts_passing(
     shape: Row, ball: Row, setback: float, moved: bool, from_x: float, from_y: float, to_x: float, to_y: float
 ) -> bool:
-    """True if a ball that overlaps a shape passes it from now on (1.12, 1.13).
+    """True if a ball that overlaps a shape passes it from now on.
 
     `from` and `to` are the ball's place before and after its own move in this substep; `moved` is False in later
     iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it. Nor does one that
@@ -178,7 +178,7 @@ def bounce_off_shape(
     ny: float,
     setback: float,
 ) -> None:
-    """Turn a ball's velocity at a static or kinematic shape, if it approaches (1.11), and record the hit."""
+    """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit."""
     vx, vy = float(ball["vx"]), float(ball["vy"])
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py)
     wx, wy = vx - ux, vy - uy
@@ -310,7 +310,7 @@ def bounce_pair(
     ny: float,
     setback: float,
 ) -> None:
-    """Exchange the normal speeds of two balls, if they approach (1.11), and record the hit."""
+    """Exchange the normal speeds of two balls, if they approach, and record the hit."""
     vx, vy = float(first["vx"]), float(first["vy"])
     wx, wy = float(second["vx"]), float(second["vy"])
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)

@@ -1,7 +1,7 @@
 """Which shapes a ball may meet: an index from the place of its centre to a short list of shapes.
 
 The index of the static shapes is made when they change, that of the kinematic ones whenever they have moved. Lists hold
-shapes in the order in which a ball meets them: points, segments and gates, circles, arcs (2.2).
+shapes in the order in which a ball meets them: points, segments and gates, circles, arcs.
 """
 
 from __future__ import annotations

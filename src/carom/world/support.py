@@ -1,4 +1,4 @@
-"""Lasting contacts: a ball that rests on a shape, rolls or slides along it, or is pressed by it (2.3).
+"""Lasting contacts: a ball that rests on a shape, rolls or slides along it, or is pressed by it.
 
 Such a ball flies on with the acceleration that keeps it on the shape: exactly along a segment at rest, along the
 osculating parabola where the shape is bent or moves, from where it is put back onto the shape after a part of the
