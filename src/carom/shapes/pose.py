@@ -20,7 +20,7 @@ def derive(shape: Row) -> None:
 
     The current geometry is `cx, cy` of a point or circle, `ax, ay, bx, by` of a segment or gate in either order, and
     `cx, cy, radius, start_angle, end_angle` (normalized) of an arc. A segment whose ends rounding has made one keeps
-    the tangent that it had. Source: spec of segments (order of ends) and arcs (ends from angles), docs/maths.
+    the tangent that it had. Source: docs/shapes-and-responses.md.
     """
     if shape["kind"] == SEGMENT or shape["kind"] == GATE:
         _derive_segment(shape)
