@@ -108,9 +108,13 @@ def pose(shape: Row) -> None:
     """Nothing; puts the shape where orientation and pivot say: pivot + R(orientation)·(initial - initial pivot).
 
     Always from the initial geometry, so turns accumulate no drift. At orientation 0 the shape is its initial geometry
-    moved by the pivot's way, which is that geometry bit for bit where the pivot has not moved.
+    moved by the pivot's way, which is that geometry bit for bit where the pivot has not moved. An orientation that has
+    overflowed, whose sine nobody knows, makes the box infinite, by which a world sees it.
     """
     turn = float(shape["orientation"])
+    if turn - turn != 0.0:
+        _set_box(shape, turn, turn, turn, turn)
+        return
     if turn == 0.0:
         _shift(shape)
     else:

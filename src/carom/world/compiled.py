@@ -18,6 +18,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 #: Every module whose functions kernels call. Plain functions of floats and rows; tests hold them to the house rules.
 KERNEL_MODULES = (
     "carom.geometry.vector",
@@ -84,10 +86,10 @@ def _compile(function: Kernel) -> Kernel:
     try:
         import numba
     except ImportError:
-        return function
+        return _quiet(function)
     config: Any = numba.config
     if config.DISABLE_JIT:
-        return function
+        return _quiet(function)
     _register_once(numba)
     folder = cache_folder()
     before = config.CACHE_DIR
@@ -100,6 +102,16 @@ def _compile(function: Kernel) -> Kernel:
     finally:
         config.CACHE_DIR = before
     return _told(numba, kernel, function.__name__)
+
+
+def _quiet(function: Kernel) -> Kernel:
+    """The function, interpreted without NumPy's warnings: a step that overflows is undone, whoever computes it."""
+
+    def interpreted(*arguments: Any) -> Any:
+        with np.errstate(all="ignore"):
+            return function(*arguments)
+
+    return interpreted
 
 
 _registered: list[Kernel] = []

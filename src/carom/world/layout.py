@@ -197,7 +197,7 @@ SAVED = np.dtype(
         ("asleep", "u1"),
         ("stray", "u1"),
         ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE
-        ("spare", "u1"),
+        ("overflowed", "u1"),  # the ball was not finite when a step was undone
     ]
 )
 

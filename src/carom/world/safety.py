@@ -18,14 +18,18 @@ def is_sound(ball: Row) -> bool:
     return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
 
 
+def is_in_reach(shape: Row) -> bool:
+    """True if a shape is where numbers reach."""
+    low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
+    return low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))
+
+
 def shapes_are_sound(state: Row, shapes: Rows, order: Rows) -> bool:
-    """True if the kinematic shapes are where numbers reach."""
+    """True if all kinematic shapes are where numbers reach."""
+    sound = True
     for k in range(state["fixed"], state["shapes"]):
-        shape = shapes[order[k]]
-        low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
-        if not (low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))):
-            return False
-    return True
+        sound = sound and is_in_reach(shapes[order[k]])
+    return sound
 
 
 def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> int:
@@ -95,11 +99,12 @@ def save(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, rela
 
 
 def roll_back(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> None:
-    """Put everything back to where it was when `save` was called."""
+    """Put everything back to where it was when `save` was called; the copies tell what was not finite any more."""
     states[0] = states[1]
     state = states[0]
     for i in range(state["balls"]):
         ball, kept = balls[i], saved[i]
+        kept["overflowed"] = 0 if is_sound(ball) else 1
         ball["x"] = kept["x"]
         ball["y"] = kept["y"]
         ball["vx"] = kept["vx"]
@@ -110,7 +115,9 @@ def roll_back(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows,
         ball["stray"] = kept["stray"]
     count, fixed = int(state["shapes"]), int(state["fixed"])
     for k in range(fixed, count):
+        sound = is_in_reach(shapes[order[k]])
         shapes[order[k]] = shapes[count + k - fixed]
+        shapes[count + k - fixed]["spare"] = 0 if sound else 1
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]

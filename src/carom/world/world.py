@@ -352,15 +352,17 @@ class World(Settings):
                     slice_steps = 2 * slice_steps
                 elif took > 2.0 * SLICE_SECONDS:
                     slice_steps = max(slice_steps // 2, 1)
+            left = _joined(gone) if gone else None
+            hits = Hits.of(self, _joined(parts), left)
         except BaseException as error:
             if isinstance(error, (InvalidArgument, NonFiniteState)) and error.hits is not None:
                 error.hits = Hits.of(self, _joined([*parts, error.hits]), _joined(gone) if gone else None)
             else:
                 self._give_back(parts, gone)
             raise
-        if gone:
-            self._left = _joined(gone)
-        return Hits.of(self, _joined(parts), _joined(gone) if gone else None)
+        if left is not None:
+            self._left = left
+        return hits
 
     def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
         """Nothing; leaves the hits of a run that was interrupted to the next step or run."""
@@ -423,7 +425,7 @@ class World(Settings):
             self._remove(strays, self._none_of(self._room.shapes.count))
             self._room.prepare()
         else:
-            error = refusal(status, self._room.balls.used)
+            error = refusal(status, self._room)
             error.hits = self._take_hits()
             raise error
         self._arguments = self._room.arguments()
