@@ -59,11 +59,11 @@ def seen_from(shape: Row, x: float, y: float) -> tuple[float, float]:
     return to_x + dx, to_y + dy
 
 
-def depth_at_entry(shape: Row, radius: float, from_x: float, from_y: float, to_x: float, to_y: float) -> float:
-    """How deep a ball overlapped a segment's line or an arc's circle when its centre came into the slab or sector.
+def depth_on_entry(shape: Row, radius: float, from_x: float, from_y: float, to_x: float, to_y: float) -> float:
+    """How deep a ball overlapped a segment's line or an arc's circle while its centre came into the slab or sector.
 
-    `from` is outside of that, `to` in it, and the way straight. Below 0 where the ball was clear of the shape: it came
-    in beside it, and met it within.
+    `from` is outside of that, `to` in it, and the way straight; the lesser of the depths at its beginning and where it
+    crosses the edge. Below 0 where the ball was clear of the shape: it met it on this very way.
     """
     ax, ay = float(shape["ax"]), float(shape["ay"])
     if shape["kind"] == ARC:
@@ -72,14 +72,16 @@ def depth_at_entry(shape: Row, radius: float, from_x: float, from_y: float, to_x
         start = crossing_share(ax - cx, ay - cy, x0, y0, x1, y1)
         end = crossing_share(float(shape["bx"]) - cx, float(shape["by"]) - cy, x0, y0, x1, y1)
         share = larger(start, end)
-        return radius - fabs(length(x0 + share * (x1 - x0), y0 + share * (y1 - y0)) - float(shape["radius"]))
+        gap = fabs(length(x0, y0) - float(shape["radius"]))
+        gap_at_edge = fabs(length(x0 + share * (x1 - x0), y0 + share * (y1 - y0)) - float(shape["radius"]))
+        return radius - larger(gap, gap_at_edge)
     tx, ty = float(shape["tx"]), float(shape["ty"])
     along = dot(from_x - ax, from_y - ay, tx, ty)
     way = dot(to_x - from_x, to_y - from_y, tx, ty)
     edge = 0.0 if along < 0.0 else float(shape["length"])
     share = (edge - along) / way if fabs(edge - along) < fabs(way) else 1.0
     side = cross(tx, ty, from_x - ax, from_y - ay)
-    return radius - fabs(side + share * cross(tx, ty, to_x - from_x, to_y - from_y))
+    return radius - larger(fabs(side), fabs(side + share * cross(tx, ty, to_x - from_x, to_y - from_y)))
 
 
 def crossing_share(ax: float, ay: float, x0: float, y0: float, x1: float, y1: float) -> float:
@@ -98,8 +100,8 @@ def starts_passing(
 
     `from` and `to` are the ball's place before and after its own move in this substep; `moved` is False in later
     iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it. Nor does one that
-    was clear of the shape when its centre came into the slab or sector: a ball that falls fast onto a joint has done
-    nothing else.
+    was clear of the shape before or when its centre came into the slab or sector: a ball that falls fast onto a joint
+    has done nothing else.
     """
     kind = shape["kind"]
     if not moved:
@@ -113,7 +115,7 @@ def starts_passing(
     least = END_DEPTH_DISCRETE * radius
     if setback <= least or in_reach(shape, x, y) or not in_reach(shape, to_x, to_y):
         return False
-    return depth_at_entry(shape, radius, x, y, to_x, to_y) > least
+    return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
 
 
 def meet_shape(

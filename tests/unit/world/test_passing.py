@@ -9,7 +9,7 @@ from carom import Arc, Ball, Gate, Segment, World
 from carom.constants import END_DEPTH_DISCRETE
 from carom.shapes.pose import advance_pose
 from carom.world.layout import PASSING
-from carom.world.narrow import depth_at_entry, in_reach, seen_from
+from carom.world.narrow import depth_on_entry, in_reach, seen_from
 from carom.world.relations import find_relation
 
 
@@ -151,15 +151,18 @@ def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
     assert ball.position == (-1, 0.5)
 
 
-def test_the_depth_at_entry_is_that_where_the_centre_crosses_an_edge() -> None:
+def test_the_depth_on_entry_is_the_least_before_and_where_the_centre_crosses_an_edge() -> None:
     wall = Segment((0, 0), (10, 0))._row
-    assert depth_at_entry(wall, 1.0, -1.0, 2.0, 1.0, 0.0) == pytest.approx(0)
-    assert depth_at_entry(wall, 1.0, -1.0, 0.5, 3.0, 0.5) == pytest.approx(0.5)
-    assert depth_at_entry(wall, 1.0, 12.0, 0.5, 8.0, -1.5) == pytest.approx(0.5)
+    assert depth_on_entry(wall, 1.0, -1.0, 0.5, 3.0, 0.5) == pytest.approx(0.5)
+    assert depth_on_entry(wall, 1.0, -1.0, 2.0, 1.0, 0.0) == pytest.approx(-1)
+    assert depth_on_entry(wall, 1.0, 12.0, 0.5, 8.0, -1.5) == pytest.approx(0.5)
+    assert depth_on_entry(wall, 1.0, 12.0, 0.0, 8.0, 1.5) == pytest.approx(0.25)
     arc = Arc((0, 0), 5, 0, pi / 2)._row
-    assert depth_at_entry(arc, 1.0, 4.5, -1.0, 4.5, 1.0) == pytest.approx(0.5)
-    assert depth_at_entry(arc, 1.0, -1.0, 6.5, 1.0, 4.5) == pytest.approx(0.5)
-    assert depth_at_entry(arc, 1.0, -1.0, -1.0, 1.0, 1.0) == pytest.approx(-4)
+    assert depth_on_entry(arc, 1.0, 5.0, -1e-9, 4.5, 1.0) == pytest.approx(1)
+    assert depth_on_entry(arc, 1.0, 5.0, -2.0, 5.0, 1.0) == pytest.approx(1 - (29**0.5 - 5))
+    assert depth_on_entry(arc, 1.0, -1.0, 5.5, 1.0, 4.5) == pytest.approx(1 - (31.25**0.5 - 5))
+    assert depth_on_entry(arc, 1.0, 3.0, -3.0, 3.0, 1.0) == pytest.approx(-1)
+    assert depth_on_entry(arc, 1.0, -1.0, -1.0, 1.0, 1.0) == pytest.approx(-4)
 
 
 def test_the_reach_of_an_arc_is_its_sector_and_that_of_a_segment_its_slab() -> None:
