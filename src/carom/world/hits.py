@@ -33,6 +33,8 @@ class HitKind(IntEnum):
 class Hit:
     """One impact, or one crossing of a sensor's edge (then all numbers but the time are 0).
 
+    `ball` or `shape` is None only where it left the world long ago, or before that was restored, and nobody kept it.
+
     Attributes:
         time: The world's time in seconds; in discrete mode that of the end of the substep.
         kind: What it was.
@@ -102,11 +104,12 @@ class Hits(np.ndarray[Any, np.dtype[Any]]):
             raise LookupError("these hits have lost their world (they were pickled or copied); read them as arrays")
         time, kind, ball, shape, point, normal, setback, speed, impulse = row.item()
         ball_object: Any = self._world._object_of_hit(ball, self._gone)
+        shape_object: Any = self._world._object_of_hit(shape, self._gone)
         return Hit(
             time,
             HitKind(kind),
             ball_object,
-            self._world._object_of_hit(shape, self._gone),
+            shape_object,
             (float(point[0]), float(point[1])),
             (float(normal[0]), float(normal[1])),
             setback,

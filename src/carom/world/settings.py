@@ -169,7 +169,12 @@ class Settings:
     iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")
     broad_phase = choice("grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs.")
     levels = count(6, 16, "levels", "Levels of the quadtree, the root included.")
-    restitution = choice("normal", RESTITUTIONS, "total_restitution", "What elasticity scales: the normal velocity, or all of it (`total`; static and kinematic shapes).")
+    restitution = choice(
+        "normal",
+        RESTITUTIONS,
+        "total_restitution",
+        "What elasticity scales: the normal velocity, or all of it (`total`; static and kinematic shapes).",
+    )
     friction = scalar(0.0, checks.non_negative, "friction", "Deceleration of every ball, in length/s².")
     sleep_speed = scalar(0.0, checks.non_negative, "sleep_speed", "Speed below which a ball may fall asleep.")
     sleep_time = scalar(0.5, checks.non_negative, "sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, TypeVar
 
 import numpy as np
@@ -250,10 +251,13 @@ class World(Settings):
         assert isinstance(ball, Ball)
         return ball
 
-    def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball:
-        """The object that a hit names, which may have left the world since; `gone` are rows that left in that run."""
+    def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball | None:
+        """The object that a hit names, or None if it left and nobody kept it; `gone` are rows that left in that run."""
         found = self._objects.get(member_id) or self._departed.find(member_id, gone)
-        return found if found is not None else self.object(member_id)
+        if found is None:
+            with suppress(InvalidArgument):
+                found = self._ball_of(member_id)
+        return found
 
     # -- changes -----------------------------------------------------------------------------------------------------
 
