@@ -8,16 +8,20 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 
 
-def run(code: str, *arguments: str, **environment: str | None) -> subprocess.CompletedProcess[str]:
-    """What a program did in a fresh interpreter; variables that are None are taken out of its environment."""
+def run(
+    code: str, *arguments: str, given: bytes | None = None, **environment: str | None
+) -> subprocess.CompletedProcess[bytes]:
+    """What a program did in a fresh interpreter, given bytes to read.
+
+    Variables that are None are taken out of its environment.
+    """
     variables = {name: value for name, value in {**os.environ, **environment}.items() if value is not None}
-    return subprocess.run(
-        [sys.executable, "-c", code, *arguments], cwd=ROOT, env=variables, capture_output=True, text=True, check=False
-    )
+    command = [sys.executable, "-c", code, *arguments]
+    return subprocess.run(command, cwd=ROOT, env=variables, input=given, capture_output=True, check=False)
 
 
-def printed(code: str, *arguments: str, **environment: str | None) -> str:
+def printed(code: str, *arguments: str, given: bytes | None = None, **environment: str | None) -> str:
     """What a program printed in a fresh interpreter; fails if it failed."""
-    done = run(code, *arguments, **environment)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    done = run(code, *arguments, given=given, **environment)
+    assert done.returncode == 0, done.stderr.decode()
+    return done.stdout.decode()
