@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from carom.geometry.impact import impact_arc, impact_circle, impact_point, impact_segment
 from carom.geometry.overlap import direction_or
-from carom.geometry.vector import larger, smaller
 
 
 def ray_point(
@@ -41,7 +40,6 @@ def ray_segment(
     if fraction is None:
         return None
     along = (x + dx * fraction - ax) * tx + (y + dy * fraction - ay) * ty
-    along = smaller(larger(along, 0.0), extent)
     nx, ny = 0.0 - ty, tx
     if nx * dx + ny * dy > 0.0:
         nx, ny = ty, 0.0 - tx

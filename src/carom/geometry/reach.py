@@ -105,42 +105,14 @@ def touch_in_sector(
     wx, wy = vx + gx * time, vy + gy * time
     past_start = falling_time(-margin - cross(ax, ay, x, y), -cross(ax, ay, wx, wy), -cross(ax, ay, gx, gy))
     past_end = falling_time(-margin - cross(x, y, bx, by), -cross(wx, wy, bx, by), -cross(gx, gy, bx, by))
-    first, second = duration + 1.0, duration + 1.0
-    if past_start is not None:
-        first = time + past_start
-    if past_end is not None:
-        second = time + past_end
-    if second < first:
-        first, second = second, first
-    if first <= duration and shallow_in_sector(first, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, gx, gy):
-        return first
-    if second <= duration and shallow_in_sector(second, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, gx, gy):
-        return second
+    for entry in (past_start, past_end):
+        if entry is not None:
+            later = time + entry
+            x = px + (vx + 0.5 * gx * later) * later
+            y = py + (vy + 0.5 * gy * later) * later
+            overlap = radius - fabs(sqrt(x * x + y * y) - r)
+            # It is on a line of the sector, so rounding would decide unless the sector is wider here.
+            inside = in_wide_sector(ax, ay, bx, by, x, y, 2.0 * margin)
+            if later <= duration and inside and fabs(overlap) <= END_DEPTH_CONTINUOUS * radius:
+                return later
     return None
-
-
-def shallow_in_sector(
-    time: float,
-    px: float,
-    py: float,
-    r: float,
-    radius: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    margin: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-) -> bool:
-    """Whether at `time` the ball is in the sector, overlaps the arc by the end depth at most, and approaches it."""
-    x = px + (vx + 0.5 * gx * time) * time
-    y = py + (vy + 0.5 * gy * time) * time
-    # The time is where the ball crosses a line of the sector, so rounding decides unless the sector is wider here.
-    if not in_wide_sector(ax, ay, bx, by, x, y, 2.0 * margin):
-        return False
-    side = sqrt(x * x + y * y) - r
-    outward = x * (vx + gx * time) + y * (vy + gy * time)
-    return fabs(radius - fabs(side)) <= END_DEPTH_CONTINUOUS * radius and side * outward < 0.0

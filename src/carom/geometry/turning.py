@@ -84,6 +84,15 @@ def seen_bounds(
     return speed + turn * reach, pull + turn * (2.0 * speed + turn * reach)
 
 
+def seen_bends(form: int, level: float, v: float, a: float) -> tuple[float, float]:
+    """Bounds of the gap's second derivative: above minus the first while it is above 0, below the second else."""
+    if form == INNER:
+        return a + v * (v / level), a
+    if form == OUTER:
+        return a, a + v * (v / level)
+    return a, a
+
+
 def next_fall(
     start: float,
     held: bool,
@@ -107,12 +116,8 @@ def next_fall(
     rise above zero first. A fall, or a rise, by less than `depth` that ends by itself may go unseen. After too many
     steps the time reached so far is returned, from which one may go on.
     """
-    v, bend_fall = seen_bounds(px, py, vx, vy, gx, gy, spin, duration)
-    bend_rise = bend_fall
-    if form == INNER:
-        bend_fall += v * (v / level)
-    elif form == OUTER:
-        bend_rise += v * (v / level)
+    v, a = seen_bounds(px, py, vx, vy, gx, gy, spin, duration)
+    bend_fall, bend_rise = seen_bends(form, level, v, a)
     gap, rate = seen_gap(start, form, kx, ky, level, px, py, vx, vy, gx, gy, spin)
     floor = 0.0
     if gap <= 0.0 and held:

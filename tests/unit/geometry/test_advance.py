@@ -113,6 +113,20 @@ def test_a_touch_that_approaches_is_now_and_one_that_leaves_is_none() -> None:
     assert advance.advance_segment(*HAND, *ORIGIN, -1.0, *touching, *STILL, *STILL, 0.01, SLOP) is None
 
 
+def test_a_ball_that_slides_on_a_turning_hand_to_rounding_has_none() -> None:
+    # it runs along with the hand, slower by rounding, while the hand turns away from its straight way
+    speed = 5.0 * (1.0 - 1e-15)
+    assert advance.advance_segment(*HAND, *ORIGIN, 1.0, 5.0, 1.0, 1.0, -2.0, speed, *STILL, 0.01, SLOP) is None
+
+
+def test_a_hop_that_never_gets_clear_ends_as_deep_as_it_began() -> None:
+    ball = (5.0, 0.9, 1.0, 0.0, 0.5, 0.0, -10.0, 1.0)
+    assert advance.advance_segment(*HAND, *ORIGIN, 1e-12, *ball, SLOP) == pytest.approx(0.1, rel=1e-9)
+    quarter = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 0.25 * pi, 0.75 * pi))
+    ball = (0.0, 5.9, 1.0, 0.0, 0.5, 0.0, -10.0, 1.0)
+    assert advance.advance_arc(*quarter, *ORIGIN, 1e-12, *ball, SLOP) == pytest.approx(0.1, rel=1e-9)
+
+
 def test_a_ball_that_a_turning_hand_flings_off_and_gravity_brings_back_is_hit_again() -> None:
     time = advance.advance_segment(*HAND, *ORIGIN, 0.1, 5.0, 1.0, 1.0, 0.0, 2.0, 0.0, -10.0, 1.0, SLOP)
     assert time is not None
@@ -163,15 +177,32 @@ def test_the_bounds_of_the_search_hold(numbers: list[float], duration: float, fo
     kx, ky, level = (cos(angle), sin(angle), 0.5) if form == turning.LINE else (angle, 1.0, 3.0)
     motion = (px, py, vx, vy, gx, gy, spin)
     speed, acceleration = turning.seen_bounds(*motion, duration)
-    bend = acceleration + (speed * speed / level if form == turning.INNER else 0.0)
+    bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
     first, second = sorted(data.draw(st.lists(st.floats(0.0, 1.0), min_size=2, max_size=2)))
     gap1, rate1 = turning.seen_gap(first * duration, form, kx, ky, level, *motion)
     gap2, _ = turning.seen_gap(second * duration, form, kx, ky, level, *motion)
     step = (second - first) * duration
     noise = 1e-9 * (1.0 + speed) * (1.0 + speed)
-    if form != turning.INNER or max(-gap1, -gap2) <= 0.0:
-        assert gap2 >= gap1 + rate1 * step - 0.5 * bend * step * step - noise
+    if gap1 > 0.0:  # as long as it stays above 0, so at least up to where the bound itself falls to 0
+        bound = gap1 + rate1 * step - 0.5 * bend_fall * step * step
+        assert gap2 >= bound - noise or step > turning.safe_step(gap1, rate1, bend_fall)
+    else:
+        bound = gap1 + rate1 * step + 0.5 * bend_rise * step * step
+        assert gap2 <= bound + noise or step > turning.safe_step(noise - gap1, -rate1, bend_rise)
     assert abs(rate1) <= speed + noise
+
+
+@pytest.mark.parametrize("form", [turning.OUTER, turning.INNER])
+def test_the_bounds_know_how_a_circle_curves(form: int) -> None:
+    # straight across a circle, whose form there is the square of the distance
+    level, motion = 3.0, (-0.1, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0)
+    speed, acceleration = turning.seen_bounds(*motion, 0.2)
+    gap1, rate1 = turning.seen_gap(0.0, form, 0.0, 0.0, level, *motion)
+    gap2, rate2 = turning.seen_gap(0.2, form, 0.0, 0.0, level, *motion)
+    bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
+    assert acceleration == 0.0
+    assert rate2 - rate1 == pytest.approx(0.2 * (bend_rise if form == turning.OUTER else -bend_fall), rel=1e-6)
+    assert gap1 == pytest.approx(gap2, abs=1e-12)
 
 
 @given(st.lists(finite, min_size=16, max_size=16), positive, positive, positive, st.booleans())

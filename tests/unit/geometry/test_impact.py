@@ -157,15 +157,17 @@ def test_a_ball_that_slides_on_a_flat_or_bulging_surface_has_none(noise: float) 
     assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 1.0, noise, *STILL, 1.0, SLOP) is None
     assert impact.impact_point(0.0, 0.0, 0.0, 1.0, 1.0, 1.0, noise, *STILL, 1.0) is None
     assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, *STILL, 1.0) is None
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, nextafter(6.0, 0.0), 1.0, 1.0, noise, *STILL, 1.0) is None
     assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, 0.0, -0.1, 1.0) is None
 
 
-def test_a_ball_pressed_to_a_surface_has_its_impact_now() -> None:
-    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 1.0, 0.0, 0.0, -1.0, 1.0, SLOP) == 0.0
+@pytest.mark.parametrize("noise", [0.0, 5e-16, -5e-16])
+def test_a_ball_pressed_to_a_surface_has_its_impact_now(noise: float) -> None:
+    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 1.0, noise, 0.0, -1.0, 1.0, SLOP) == 0.0
     assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.0, 0.0, 0.0, -1.0, 1.0, SLOP) == 0.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, 0.0, 0.0, -0.2, 1.0) == 0.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, 0.0, 0.0, -0.2, 1.0) == 0.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, 0.0, *STILL, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, 0.0, -0.2, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, noise, 0.0, -0.2, 1.0) == 0.0
+    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, noise, *STILL, 1.0) == 0.0
 
 
 def test_a_hop_from_a_touch_too_deep_by_rounding_ends_where_it_began() -> None:
@@ -218,11 +220,45 @@ def test_a_ball_that_overlaps_by_less_than_the_end_depth_touches_at_the_end(grav
     assert over == pytest.approx(1.0, abs=1e-8)
     over = impact.impact_segment(*FLOOR, 11.0, -1.0, 1.0, -1.0, flat, *gravity, 9.0, SLOP)
     assert over == pytest.approx(1.0, abs=1e-8)
+    # the same over both ends of an arc, a tenth of a second before
+    assert impact.impact_arc(*RIGHT_HALF, -0.1, 6.0, 1.0, 1.0, -10.0 * steep, *gravity, 1.0, SLOP) is None
+    for y, rate in ((6.0, -10.0 * flat), (-6.0, 10.0 * flat)):
+        over = impact.impact_arc(
+            *RIGHT_HALF, -0.1, y - 0.1 * rate - (y * flat / 6.0), 1.0, 1.0, rate, *gravity, 1.0, SLOP
+        )
+        assert over == pytest.approx(0.1, abs=1e-8)
+
+
+def test_a_ball_that_dips_past_an_end_and_rises_over_it_does_not_touch() -> None:
+    # its gap is 1e-6·(t - 1)² - 5e-7, and its foot is at the end when t is 1.3
+    assert impact.impact_segment(*FLOOR, -1.3, 1.0 + 5e-7, 1.0, 1.0, -2e-6, 0.0, 2e-6, 9.0, SLOP) is None
+
+
+def test_a_ball_that_has_passed_the_gap_of_an_arc_touches_its_inside_not_before_it_touches() -> None:
+    # it comes into the sector clear of the inside by less than the end depth
+    x, y, vx, vy = -10.0, 4.0 - 5e-7 - 1e-2, 1.0, 1e-3
+    for pull in (0.0, 1e-12):
+        time = impact.impact_arc(*RIGHT_HALF, x, y, 1.0, vx, vy, 0.0, -pull, 20.0, SLOP)
+        assert time is not None
+        assert hypot(x + vx * time, y + vy * time) == pytest.approx(4.0, abs=1e-9)
+
+
+def test_a_ball_that_rises_past_an_end_and_turns_over_it_all_but_clear_touches_there() -> None:
+    for short in (1e-7, 0.0):
+        rest = (1.0, 1.0, 1.0, 0.0, -1.0, 9.0, SLOP)
+        assert impact.impact_segment(*FLOOR, -1.0, 0.5 - short, *rest) == pytest.approx(1.0, abs=1e-6)
+        assert impact.impact_arc(*RIGHT_HALF, -1.0, 5.5 - short, *rest) == pytest.approx(1.0, abs=1e-6)
+    deep = (1.0, 1.0, 1.0, 0.0, -1.0, 1.2, SLOP)
+    assert impact.impact_segment(*FLOOR, -1.0, 0.5 - 1e-5, *deep) is None
+    assert impact.impact_arc(*RIGHT_HALF, -1.0, 5.5 - 1e-5, *deep) is None
 
 
 def test_a_ball_that_slides_off_a_wall_into_a_bowl_touches_at_the_joint() -> None:
     for pull in (0.0, 1e-12):
-        assert impact.impact_arc(*RIGHT_HALF, -2.0, -4.0, 1.0, 1.0, 0.0, 0.0, -pull, 9.0, SLOP) == pytest.approx(2.0)
+        for sink in (0.0, 1e-7):
+            slide = impact.impact_arc(*RIGHT_HALF, -2.0, -4.0 - sink, 1.0, 1.0, 0.0, 0.0, -pull, 9.0, SLOP)
+            assert slide == pytest.approx(2.0)
+        assert impact.impact_arc(*RIGHT_HALF, -2.0, -4.0 - 1e-5, 1.0, 1.0, 0.0, 0.0, -pull, 9.0, SLOP) is None
 
 
 def test_a_ball_that_skips_along_two_arcs_of_one_circle_touches_the_second() -> None:
