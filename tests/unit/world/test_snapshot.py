@@ -23,10 +23,10 @@ print(world.digest())
 """
 
 
-def busy(seconds: float = 1.0, **settings: Any) -> carom.World:
-    """A crowded world after some time."""
-    world = crowded(**settings)
-    world.run(seconds)
+def busy(balls: int = 12) -> carom.World:
+    """A crowded world after a second."""
+    world = crowded(balls)
+    world.run(1.0)
     return world
 
 
@@ -53,7 +53,7 @@ def test_a_restored_world_goes_on_to_the_same_bits(steps: int) -> None:
 
 
 def test_another_process_goes_on_to_the_same_bits_for_500_steps() -> None:
-    world = busy()
+    world = busy(balls=6)
     told = fresh.printed(GO_ON, given=world.snapshot()).split()
     before = world.digest()
     for _ in range(500):
