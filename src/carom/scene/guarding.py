@@ -8,6 +8,9 @@ from carom.shapes.compound import Compound
 from carom.shapes.guard import guard_points
 from carom.shapes.shape import Shape
 
+#: The name of the points beside the shapes; those in a compound go by the compound's.
+GUARD_NAME = "guard point"
+
 
 def guarded(shapes: Sequence[Shape | Compound]) -> list[Shape | Compound]:
     """`shapes`, each compound with the points for its own ends among its parts, and after them the points for the rest.
@@ -18,8 +21,10 @@ def guarded(shapes: Sequence[Shape | Compound]) -> list[Shape | Compound]:
     for shape in shapes:
         if isinstance(shape, Compound):
             _guard_parts(shape)
-    alone = [shape for shape in shapes if not isinstance(shape, Compound)]
-    return [*shapes, *guard_points(alone)]
+    points = guard_points(shape for shape in shapes if not isinstance(shape, Compound))
+    for point in points:
+        point.name = GUARD_NAME
+    return [*shapes, *points]
 
 
 def _guard_parts(compound: Compound) -> None:

@@ -13,7 +13,10 @@ SPEED = 6.0
 
 
 def newtons_cradle(balls: int = 5) -> Scene:
-    """A row of `balls` (2 to 1,000) of which all but the first touch and rest; the first is on its way to them."""
+    """Newton's cradle, lying down: a row of balls that touch and rest, and one more on its way to them.
+
+    `balls` (2 to 1,000) are all of them.
+    """
     count = whole("balls", balls, 2, 1_000)
     diameter = 2.0 * RADIUS
     row = diameter * (count - 1)

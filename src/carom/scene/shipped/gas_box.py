@@ -17,9 +17,10 @@ SPEED = 7.5  # root mean square: a quarter of a radius in a sixtieth of a second
 
 
 def gas(balls: int = 10_000, seed: int = 0) -> Scene:
-    """`balls` discs (1 to 1,000,000) on a square lattice, their velocities normal, drawn by NumPy from `seed`.
+    """A gas of elastic discs in a box, with the velocities of an equilibrium.
 
-    No momentum as a whole, where there are two discs or more, and a mean square speed that is `SPEED` squared.
+    `balls` discs (1 to 1,000,000) on a square lattice, their velocities normal, drawn by NumPy from `seed`; no momentum
+    as a whole, where there are two discs or more, and a mean square speed that is `SPEED` squared.
     """
     count = whole("balls", balls, 1, 1_000_000)
     side = sqrt(count * pi * RADIUS * RADIUS / AREA_FRACTION)
