@@ -130,10 +130,14 @@ def end_relations(
             continue
         if kind == INSIDE_SHAPE:
             ago = time_since_shape(shapes[other], ball, flight, way)
-            write_hit(state, hits, time_of(state, now - ago), EXIT, int(ball["id"]), int(shapes[other]["id"]))
+            write_hit(
+                state, hits[state["hits"]], time_of(state, now - ago), EXIT, int(ball["id"]), int(shapes[other]["id"])
+            )
         elif kind == INSIDE_BALL:
             ago = time_since_ball(balls[other], flights[other], ball, flight, way)
-            write_hit(state, hits, time_of(state, now - ago), EXIT, int(ball["id"]), int(balls[other]["id"]))
+            write_hit(
+                state, hits[state["hits"]], time_of(state, now - ago), EXIT, int(ball["id"]), int(balls[other]["id"])
+            )
         place = drop_relation(state, relations, ball, place, before)
 
 

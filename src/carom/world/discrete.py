@@ -29,7 +29,7 @@ from carom.world.layout import (
     SHAPES_DUE,
 )
 from carom.world.motion import move_ball, move_shapes
-from carom.world.narrow import boxes_apart, may_collide, meet_pair, meet_shape
+from carom.world.narrow import balls_overlap, boxes_apart, may_collide, meet_ball, meet_sensing_ball, meet_shape
 from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.relations import relations_room
 from carom.world.safety import begin_step, end_step, roll_back, shapes_are_sound
@@ -283,8 +283,14 @@ def meet_all_pairs(state: Row, balls: Rows, pairs: Rows, saved: Rows, hits: Rows
             state["wanted_hits"] = state["hits"] + 1
             state["wanted_relations"] = state["relations"] + 1
             return NEEDS_ROOM
-        first, second = int(pairs[k, 0]), int(pairs[k, 1])
-        meet_pair(state, balls, min(first, second), max(first, second), hits, relations, saved, time, rest)
+        i = min(int(pairs[k, 0]), int(pairs[k, 1]))
+        j = max(int(pairs[k, 0]), int(pairs[k, 1]))
+        first, second = balls[i], balls[j]
+        if balls_overlap(state, first, second):
+            if first["sensor"] != 0 or second["sensor"] != 0:
+                meet_sensing_ball(state, first, i, second, j, hits, relations, time)
+            else:
+                meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]], time, rest)
     state["iteration"] += 1
     if state["found"] > 0 and state["iteration"] < state["iterations"]:
         enter_stage(state, SHAPES)

@@ -41,7 +41,7 @@ def impact_with_shape(
     time = float(flight["time"])
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         add_relation(state, relations, ball, i, INSIDE_SHAPE, row)
-        write_hit(state, hits, time_of(state, time), ENTER, int(ball["id"]), int(shape["id"]))
+        write_hit(state, hits[state["hits"]], time_of(state, time), ENTER, int(ball["id"]), int(shape["id"]))
         return
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     if shape["kind"] == GATE:
@@ -101,7 +101,9 @@ def bounce(
             limit_speed(state, ball)
             setback, speed = max(-gap, 0.0), length(vx - ux, vy - uy)
             impulse = gain * float(ball["mass"])
-            record_hit(state, hits, time_of(state, time), ball, shape, px, py, nx, ny, setback, speed, impulse)
+            record_hit(
+                state, hits[state["hits"]], time_of(state, time), ball, shape, px, py, nx, ny, setback, speed, impulse
+            )
     if kick > 0.0:
         return
     press = pressure(state, shape, time, ball, nx, ny)
@@ -163,7 +165,7 @@ def impact_of_balls(
     dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
     if first["sensor"] != 0 or second["sensor"] != 0:
         add_relation(state, relations, second, j, INSIDE_BALL, i)
-        write_hit(state, hits, time_of(state, now), ENTER, int(second["id"]), int(first["id"]))
+        write_hit(state, hits[state["hits"]], time_of(state, now), ENTER, int(second["id"]), int(first["id"]))
         return False
     vx, vy = velocity_in_flight(first, flights[i])
     wx, wy = velocity_in_flight(second, flights[j])
@@ -198,7 +200,7 @@ def impact_of_balls(
     limit_speed(state, second)
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
-    record_hit(state, hits, time_of(state, now), second, first, px, py, nx, ny, setback, speed, gain)
+    record_hit(state, hits[state["hits"]], time_of(state, now), second, first, px, py, nx, ny, setback, speed, gain)
     return pushed
 
 

@@ -160,6 +160,23 @@ HIT = np.dtype(
     ]
 )
 
+#: A hit as the kernels write it: the same bytes, each number a field of its own.
+HIT_ROW = np.dtype(
+    [
+        ("time", "f8"),
+        ("kind", "i8"),
+        ("ball", "i8"),
+        ("shape", "i8"),
+        ("point_x", "f8"),
+        ("point_y", "f8"),
+        ("normal_x", "f8"),
+        ("normal_y", "f8"),
+        ("setback", "f8"),
+        ("speed", "f8"),
+        ("impulse", "f8"),
+    ]
+)
+
 RELATION = np.dtype([("kind", "i4"), ("ball", "i4"), ("other", "i4"), ("next", "i4")])
 
 #: Where the candidates for a place are found: a table of two rows, one for the static shapes, one for the kinematic.

@@ -151,7 +151,7 @@ def meet_shape(
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
-            write_hit(state, hits, time, ENTER, int(ball["id"]), int(shape["id"]))
+            write_hit(state, hits[state["hits"]], time, ENTER, int(ball["id"]), int(shape["id"]))
         return False
     if find_relation(relations, ball, PASSING, shape_row):
         return False
@@ -203,7 +203,7 @@ def bounce_off_shape(
     ball["vy"] = new_y
     wake(state, ball)
     impulse = gain * float(ball["mass"])
-    record_hit(state, hits, time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
+    record_hit(state, hits[state["hits"]], time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
 
 
 def limit_speed(state: Row, ball: Row) -> None:
@@ -220,58 +220,51 @@ def limit_speed(state: Row, ball: Row) -> None:
         state["slowed"] += 1
 
 
-def meet_pair(
-    state: Row,
-    balls: Rows,
-    i: int,
-    j: int,
-    hits: Rows,
-    relations: Rows,
-    saved: Rows,
-    time: float,
-    rest_speed: float,
-) -> None:
-    """Test two balls whose boxes may overlap, and respond at once. There must be room for a hit and a relation."""
-    first, second = balls[i], balls[j]
-    reach = float(first["radius"]) + float(second["radius"])
-    dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
+def balls_overlap(state: Row, first: Row, second: Row) -> bool:
+    """True if two balls overlap, may collide, and are not both asleep."""
+    reach = first["radius"] + second["radius"]
+    dx = second["x"] - first["x"]
+    dy = second["y"] - first["y"]
     if dx > reach or -dx > reach or dy > reach or -dy > reach or not may_collide(first, second):
-        return
+        return False
     if first["asleep"] != 0 and second["asleep"] != 0:
-        return
+        return False
     state["full_tests"] += 1
-    # Most pairs whose boxes overlap do so at the corners alone; they are done here.
-    if dx * dx + dy * dy >= reach * reach:
-        return
-    wx = float(second["vx"]) - float(first["vx"])
-    wy = float(second["vy"]) - float(first["vy"])
-    contact = overlap_ball(
-        float(first["x"]),
-        float(first["y"]),
-        float(first["radius"]),
-        float(second["x"]),
-        float(second["y"]),
-        float(second["radius"]),
-        wx,
-        wy,
-    )
+    return bool(dx * dx + dy * dy < reach * reach)
+
+
+def meet_sensing_ball(
+    state: Row, first: Row, i: int, second: Row, j: int, hits: Rows, relations: Rows, time: float
+) -> None:
+    """Let overlapping balls, of which one is a sensor, be inside each other. There must be room for a relation."""
+    if not find_relation(relations, second, INSIDE_BALL, i):
+        add_relation(state, relations, second, j, INSIDE_BALL, i)
+        write_hit(state, hits[state["hits"]], time, ENTER, int(second["id"]), int(first["id"]))
+
+
+def meet_ball(
+    state: Row, first: Row, second: Row, mark: Row, other_mark: Row, hit: Row, time: float, rest_speed: float
+) -> None:
+    """Let two balls that overlap respond to each other; `mark` and `other_mark` are their rows of `SAVED`.
+
+    `hit` is the next free row.
+    """
+    x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
+    x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
+    wx, wy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
+    contact = overlap_ball(x1, y1, r1, x2, y2, r2, wx, wy)
     if contact is None:
         return
     px, py, nx, ny, setback = contact
-    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * reach:
+    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * (r1 + r2):
         return
-    if first["sensor"] != 0 or second["sensor"] != 0:
-        if not find_relation(relations, second, INSIDE_BALL, i):
-            add_relation(state, relations, second, j, INSIDE_BALL, i)
-            write_hit(state, hits, time, ENTER, int(second["id"]), int(first["id"]))
-        return
-    if dx == 0.0 and dy == 0.0:
+    if x1 == x2 and y1 == y2:
         state["overlaps"] += 1
     push_apart(first, second, nx, ny, setback)
-    saved[i]["touched"] = BOTH_DUE
-    saved[j]["touched"] = BOTH_DUE
+    mark["touched"] = BOTH_DUE
+    other_mark["touched"] = BOTH_DUE
     state["found"] += 1
-    bounce_pair(state, first, second, hits, time, rest_speed, px, py, nx, ny, setback)
+    bounce_pair(state, first, second, hit, time, rest_speed, px, py, nx, ny, setback)
     limit_speed(state, first)
     limit_speed(state, second)
     # What only rests on a sleeping ball does not wake it, but it is in the way of shapes now; `finish_substep` puts it
@@ -303,7 +296,7 @@ def bounce_pair(
     state: Row,
     first: Row,
     second: Row,
-    hits: Rows,
+    hit: Row,
     time: float,
     rest_speed: float,
     px: float,
@@ -331,4 +324,4 @@ def bounce_pair(
     wake(state, first)
     wake(state, second)
     impulse = second_mass * (new2 - u2)
-    record_hit(state, hits, time, second, first, px, py, nx, ny, setback, length(wx - vx, wy - vy), impulse)
+    record_hit(state, hit, time, second, first, px, py, nx, ny, setback, length(wx - vx, wy - vy), impulse)

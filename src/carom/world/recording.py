@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from carom.rows import Row, Rows
+from carom.rows import Row
 from carom.world.layout import BOUNCE
 
 
 def record_hit(
     state: Row,
-    hits: Rows,
+    hit: Row,
     time: float,
     ball: Row,
     shape: Row,
@@ -20,30 +20,28 @@ def record_hit(
     speed: float,
     impulse: float,
 ) -> None:
-    """Write a bounce behind the other hits, where there must be room, and count the collision."""
-    write_hit(state, hits, time, BOUNCE, int(ball["id"]), int(shape["id"]))
-    hit = hits[state["hits"] - 1]
-    hit["point"][0] = px
-    hit["point"][1] = py
-    hit["normal"][0] = nx
-    hit["normal"][1] = ny
+    """Write a bounce into `hit`, the next free row, and count the collision."""
+    write_hit(state, hit, time, BOUNCE, int(ball["id"]), int(shape["id"]))
+    hit["point_x"] = px
+    hit["point_y"] = py
+    hit["normal_x"] = nx
+    hit["normal_y"] = ny
     hit["setback"] = setback
     hit["speed"] = speed
     hit["impulse"] = impulse
     state["collisions"] += 1
 
 
-def write_hit(state: Row, hits: Rows, time: float, kind: int, ball: int, shape: int) -> None:
-    """Write a hit of zeros but for time, kind and ids (what `ENTER` and `EXIT` are) behind the other hits."""
-    hit = hits[state["hits"]]
+def write_hit(state: Row, hit: Row, time: float, kind: int, ball: int, shape: int) -> None:
+    """Write zeros but for time, kind and ids (what `ENTER` and `EXIT` are) into `hit`, the next free row."""
     hit["time"] = time
     hit["kind"] = kind
     hit["ball"] = ball
     hit["shape"] = shape
-    hit["point"][0] = 0.0
-    hit["point"][1] = 0.0
-    hit["normal"][0] = 0.0
-    hit["normal"][1] = 0.0
+    hit["point_x"] = 0.0
+    hit["point_y"] = 0.0
+    hit["normal_x"] = 0.0
+    hit["normal_y"] = 0.0
     hit["setback"] = 0.0
     hit["speed"] = 0.0
     hit["impulse"] = 0.0

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.rows import NO_RELATION, Row, Rows
-from carom.world.layout import EXIT, INSIDE_BALL, INSIDE_SHAPE
+from carom.world.layout import EXIT, HIT_ROW, INSIDE_BALL, INSIDE_SHAPE
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation
 from carom.world.tables import Room
@@ -69,4 +69,6 @@ def _exit(room: Room, ball: Row, other: Rows) -> None:
     if state["hits"] >= len(room.hits):
         state["wanted_hits"] = state["hits"] + 1
         room.extend_hits()
-    write_hit(state, room.hits, float(state["time"]), EXIT, int(ball["id"]), int(other["id"]))
+    write_hit(
+        state, room.hits.view(HIT_ROW)[state["hits"]], float(state["time"]), EXIT, int(ball["id"]), int(other["id"])
+    )

@@ -11,7 +11,7 @@ from carom import checks
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS, BALL, KINEMATIC, NO_RELATION, SHAPE, Row, Rows
 from carom.shapes.table import Owner, Table
-from carom.world.layout import CELL, DISCRETE, FLIGHT, HIT, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
+from carom.world.layout import CELL, DISCRETE, FLIGHT, HIT, HIT_ROW, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
 
 
 class WorldTable(Table):
@@ -97,7 +97,7 @@ class Room:
             self.starts,
             self.pairs,
             self.saved,
-            self.hits,
+            self.hits.view(HIT_ROW),
             self.relations,
         )
         if self.states[0]["detection"] == DISCRETE:
