@@ -1,7 +1,7 @@
-"""Profiles of hypothesis, and tests that need the compiler.
+"""Profiles of hypothesis, tests that need the compiler, and the size of campaigns.
 
 By default hypothesis takes the same examples in every run, and fewer when the compiler is switched off;
-`HYPOTHESIS_PROFILE=explore` takes many fresh ones.
+`HYPOTHESIS_PROFILE=explore` takes many fresh ones. `--campaign` launches a hundred times as many balls at closed rooms.
 """
 
 import os
@@ -15,6 +15,17 @@ settings.register_profile("explore", deadline=None, max_examples=2000, print_blo
 
 INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "interpreted" if INTERPRETED else "repeatable"))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the size of campaigns."""
+    parser.addoption("--campaign", action="store_true", help="10,000,000 launches instead of 100,000")
+
+
+@pytest.fixture(scope="session")
+def launch_count(request: pytest.FixtureRequest) -> int:
+    """How many balls are launched in closed rooms."""
+    return 10_000_000 if request.config.getoption("--campaign") else 100_000
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

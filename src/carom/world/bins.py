@@ -19,11 +19,13 @@ from carom.world.pairs import measure_balls
 def open_bins(state: Row, balls: Rows, flights: Rows, heads: Rows) -> bool:
     """True when all balls are filed; False if `heads` has no room, and `state["wanted_starts"]` says how much it needs.
 
-    A few balls are not filed at all: then every ball is near every other.
+    A few balls are not filed at all: then every ball is near every other. Nor are balls that do not meet each other:
+    then `state["bin_levels"]` is 0.
     """
     count = int(state["balls"])
     state["binned"] = 0
-    if count <= FEW_BALLS:
+    state["bin_levels"] = 1 if may_meet(state, balls) else 0
+    if count <= FEW_BALLS or state["bin_levels"] == 0:
         return True
     size, stride, mask = wrapped_size(count)
     if size > len(heads):
@@ -42,6 +44,15 @@ def open_bins(state: Row, balls: Rows, flights: Rows, heads: Rows) -> bool:
     for i in range(count - 1, -1, -1):
         file_ball(state, balls, flights, heads, i)
     return True
+
+
+def may_meet(state: Row, balls: Rows) -> bool:
+    """True unless the masks of the balls exclude that any two of them meet."""
+    layers, masks = 0, 0
+    for i in range(state["balls"]):
+        layers |= int(balls[i]["layer"])
+        masks |= int(balls[i]["collides_with"])
+    return layers & masks != 0
 
 
 def leash(state: Row, flight: Row) -> float:

@@ -55,7 +55,7 @@ def foresee(
         foresee_look(state, ball, flight, shapes, relations)
         foresee_fixed(state, ball, flight, shapes, order, index, cells, members, relations)
         foresee_kinematic(state, ball, flight, shapes, order, relations)
-        if state["balls"] > 1:
+        if state["bin_levels"] != 0:
             foresee_balls(state, balls, heads, flights, relations, i, all_balls)
     if flight["event"] == NOTHING:
         take_event(state, flights, queue, i)
