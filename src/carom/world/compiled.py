@@ -67,6 +67,9 @@ SOURCES_BESIDES = ("carom.constants", "carom.rows", "carom.world.layout", "carom
 
 Kernel = Callable[..., Any]
 
+#: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.
+_OPTIONS = {"nogil": True, "error_model": "numpy"}
+
 _loaded: dict[str, Kernel] = {}
 
 
@@ -91,17 +94,30 @@ def _compile(function: Kernel) -> Kernel:
     if config.DISABLE_JIT:
         return _quiet(function)
     _register_once(numba)
+    return _told(numba, function)
+
+
+def _cached(numba: Any, function: Kernel) -> Kernel:
+    """The function, to be compiled when it is called and kept in the cache folder, if that can be written to."""
     folder = cache_folder()
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(folder)
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        kernel: Kernel = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+        kernel: Any = numba.njit(cache=True, **_OPTIONS)(function)
     except (OSError, RuntimeError):
-        kernel = numba.njit(nogil=True, error_model="numpy")(function)
+        return _uncached(numba, function)
     finally:
-        config.CACHE_DIR = before
-    return _told(numba, kernel, function.__name__)
+        numba.config.CACHE_DIR = before
+    # Where the folder refuses, Numba turns to one beside the sources, where it would not see that a callee has changed.
+    kept_there = Path(kernel.stats.cache_path).is_relative_to(folder)
+    return kernel if kept_there else _uncached(numba, function)
+
+
+def _uncached(numba: Any, function: Kernel) -> Kernel:
+    """The function, to be compiled when it is called and forgotten when the process ends."""
+    kernel: Kernel = numba.njit(**_OPTIONS)(function)
+    return kernel
 
 
 def _quiet(function: Kernel) -> Kernel:
@@ -156,13 +172,19 @@ def cache_folder() -> Path:
     return Path(platformdirs.user_cache_dir("carom")) / source_hash()
 
 
-def _told(numba: Any, kernel: Any, name: str) -> Kernel:
-    """The kernel, which on its first call says on stderr that it compiles, how far it is and how long it took."""
+def _told(numba: Any, function: Kernel) -> Kernel:
+    """The function, which on its first call is compiled, and tells on stderr how far that is and how long it took."""
 
     def first_call(*arguments: Any) -> Any:
-        teller = _Teller(name)
+        teller = _Teller(function.__name__)
+        kernel = _cached(numba, function)
         with numba.core.event.install_listener("numba:compile", teller.listener(numba)):
-            result = kernel(*arguments)
+            try:
+                result = kernel(*arguments)
+            except Exception:  # noqa: BLE001  # whatever reading and writing pickled code may raise
+                # The disk is full, or what was kept there is damaged. Nothing has run yet: kernels raise nothing.
+                kernel = _uncached(numba, function)
+                result = kernel(*arguments)
         teller.done()
         _loaded.update({key: kernel for key, value in _loaded.items() if value is first_call})
         return result
