@@ -12,23 +12,29 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import galton, gas, memory, pinball, scaling, startup
+from benchmarks import continuous, galton, gas, memory, pinball, rooms, scaling, startup
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
     "gas": gas,
     "galton": galton,
     "pinball": pinball,
+    "continuous": continuous,
+    "rooms": rooms,
     "scaling": scaling,
     "startup": startup,
     "memory": memory,
 }
 
 
+#: Columns of what is printed to a file or a pipe.
+WIDTH = 128
+
+
 def machine() -> dict[str, str]:
     """What the figures depend on: the machine, and the versions of what was measured."""
     versions = {}
-    for package in ("carom", "numba", "numpy", "pymunk", "pyb2d3"):
+    for package in ("carom", "numba", "numpy", "pymunk", "pyb2d3", "billiards"):
         try:
             versions[package] = version(package)
         except PackageNotFoundError:
@@ -45,13 +51,16 @@ def main(arguments: list[str]) -> None:
     )
     parser.add_argument("--only", choices=WORKLOADS, action="append", metavar="NAME", help=", ".join(WORKLOADS))
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures there too")
+    parser.add_argument("--plot", type=Path, metavar="FILE", help="draw what a true arc is worth, as SVG (rooms)")
     asked = parser.parse_args(arguments)
-    console = Console()
+    console = Console() if sys.stdout.isatty() else Console(width=WIDTH)
     console.print(", ".join(f"{name} {value}" for name, value in machine().items()), highlight=False)
     measured: dict[str, list[Figure]] = {}
     for name in asked.only or WORKLOADS:
         measured[name] = WORKLOADS[name].run(asked.quick)
         show(WORKLOADS[name].TITLE, measured[name], console)
+    if asked.plot:
+        asked.plot.write_text(rooms.plot(asked.quick), encoding="utf-8")
     if asked.json:
         figures = {name: [asdict(figure) for figure in found] for name, found in measured.items()}
         asked.json.write_text(json.dumps({"on": machine(), "figures": figures}, indent=1) + "\n", encoding="utf-8")

@@ -1,7 +1,7 @@
 """What every benchmark uses: engines that take turns, medians, and a table."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from statistics import median
 from time import perf_counter
 
@@ -25,6 +25,7 @@ class Figure:
     value: float
     unit: str
     energy_kept: float | None = None  # energy at the end, as a fraction of that at the start
+    remarks: dict[str, str] = field(default_factory=dict)  # more columns of the table, by heading
 
 
 def race(calls: Mapping[str, Callable[[], object]], rounds: int, calls_each: int = 1) -> dict[str, float]:
@@ -45,9 +46,9 @@ def energy(engine: Engine, setup: Setup) -> float:
     return float(0.5 * np.sum(velocity * velocity) - np.sum(position @ np.asarray(setup.gravity)))
 
 
-def race_steps(workload: str, setup: Setup, steps: int) -> list[Figure]:
+def race_steps(workload: str, setup: Setup, steps: int, with_continuous: bool = False) -> list[Figure]:
     """Median milliseconds of a step of `setup`, by every engine, and the energy each has kept."""
-    worlds = {name: make(setup) for name, make in engines().items()}
+    worlds = {name: make(setup) for name, make in engines(with_continuous).items()}
     before = {name: energy(world, setup) for name, world in worlds.items()}
     calls = {name: world.step for name, world in worlds.items()}
     race(calls, rounds=1, calls_each=TURN)
@@ -66,9 +67,14 @@ def show(title: str, figures: list[Figure], console: Console) -> None:
     with_energy = any(figure.energy_kept is not None for figure in figures)
     if with_energy:
         table.add_column("energy kept", justify="right")
+    headings = list(dict.fromkeys(heading for figure in figures for heading in figure.remarks))
+    for heading in headings:
+        table.add_column(heading, justify="right")
     ours = {figure.workload: figure.value for figure in figures if figure.engine == "carom"}
     for figure in figures:
-        ratio = "" if figure.engine == "carom" else f"{figure.value / ours[figure.workload]:.2g}"
-        kept = [f"{figure.energy_kept:.6f}"] if with_energy else []
-        table.add_row(figure.workload, figure.engine, f"{figure.value:.4g} {figure.unit}", ratio, *kept)
+        is_ours = figure.engine == "carom" or figure.workload not in ours
+        ratio = "" if is_ours else f"{figure.value / ours[figure.workload]:.2g}"
+        kept = [f"{figure.energy_kept:.6f}" if figure.energy_kept is not None else ""] if with_energy else []
+        told = [figure.remarks.get(heading, "") for heading in headings]
+        table.add_row(figure.workload, figure.engine, f"{figure.value:.4g} {figure.unit}", ratio, *kept, *told)
     console.print(table)

@@ -25,14 +25,16 @@ class Engine(Protocol):
 
 
 class Carom:
-    """carom's discrete world: one substep, one iteration, guard points at the ends of segments."""
+    """carom's discrete world, or its continuous one: one substep, one iteration, guard points at ends of segments."""
 
-    def __init__(self, setup: Setup) -> None:
+    def __init__(self, setup: Setup, detection: str = "discrete") -> None:
         each = sqrt(setup.elasticity)
-        self.world = carom.World(gravity=setup.gravity, substeps=1, iterations=1)
+        self.world = carom.World(gravity=setup.gravity, detection=detection, substeps=1, iterations=1)
         shapes: list[carom.Shape] = [carom.Segment((ax, ay), (bx, by)) for ax, ay, bx, by in setup.segments]
-        shapes += carom.guard_points(shapes)
+        if not setup.chained:  # no ball inside of a convex line can touch its corners
+            shapes += carom.guard_points(shapes)
         shapes += [carom.Circle((x, y), radius, solid=True) for x, y, radius in setup.circles]
+        shapes += [carom.Circle((x, y), radius) for x, y, radius in setup.rings]
         for shape in shapes:
             shape.elasticity = each
             self.world.add(shape)
@@ -65,6 +67,11 @@ class Pymunk:
         fixed: list[pymunk.Shape] = [
             pymunk.Segment(self.space.static_body, (ax, ay), (bx, by), 0.0) for ax, ay, bx, by in setup.segments
         ]
+        if setup.chained:
+            count = len(setup.segments)
+            for i in range(count):
+                before, after = setup.segments[i - 1], setup.segments[(i + 1) % count]
+                fixed[i].set_neighbors((before[0], before[1]), (after[2], after[3]))
         fixed += [pymunk.Circle(self.space.static_body, radius, (x, y)) for x, y, radius in setup.circles]
         self.bodies = []
         for position, velocity in zip(setup.position, setup.velocity, strict=True):
@@ -103,8 +110,12 @@ class Box2d:
         material = pyb2d3.surface_material(restitution=setup.elasticity, friction=0.0)
         definition = pyb2d3.shape_def(material=material, density=1.0)
         fixed = self.world.create_static_body()
-        for ax, ay, bx, by in setup.segments:
-            fixed.create_shape(definition, pyb2d3.segment((ax, ay), (bx, by)))
+        if setup.chained:
+            inwards = setup.segments[::-1, :2]  # a chain's solid side is on the left
+            fixed.create_chain(pyb2d3.chain_def(inwards, material=material, is_loop=True))
+        else:
+            for ax, ay, bx, by in setup.segments:
+                fixed.create_shape(definition, pyb2d3.segment((ax, ay), (bx, by)))
         for x, y, radius in setup.circles:
             fixed.create_shape(definition, pyb2d3.circle((x, y), radius))
         ball = pyb2d3.circle((0.0, 0.0), setup.radius)
@@ -132,9 +143,20 @@ class Box2d:
         return position.x, position.y
 
 
-def engines() -> dict[str, Callable[[Setup], Engine]]:
+def continuous(setup: Setup) -> Engine:
+    """The engine that is carom's continuous world."""
+    return Carom(setup, "continuous")
+
+
+#: The name of carom's continuous world among the engines.
+CONTINUOUS = "carom, continuous"
+
+
+def engines(with_continuous: bool = False) -> dict[str, Callable[[Setup], Engine]]:
     """The engines that can be run here, carom first."""
     found: dict[str, Callable[[Setup], Engine]] = {"carom": Carom}
+    if with_continuous:
+        found[CONTINUOUS] = continuous
     if importlib.util.find_spec("pymunk"):
         found["pymunk"] = Pymunk
     if importlib.util.find_spec("pyb2d3"):

@@ -23,4 +23,4 @@ def gas(balls: int) -> Setup:
 def run(quick: bool) -> list[Figure]:
     """Milliseconds of one step."""
     balls, steps = (1_000, 20) if quick else (10_000, 400)
-    return race_steps(f"{balls:,} balls", gas(balls), steps)
+    return race_steps(f"{balls:,} balls", gas(balls), steps, with_continuous=True)

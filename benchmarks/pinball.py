@@ -1,12 +1,11 @@
 """A pinball table of 150 shapes with one ball, stepped from Python and read back; and stepped inside `run`."""
 
 from functools import partial
-from time import perf_counter
 
 import numpy as np
 
 from benchmarks.common import Figure, energy, race
-from benchmarks.engines import Carom, Engine, engines
+from benchmarks.engines import CONTINUOUS, Carom, Engine, engines
 from benchmarks.setup import Floats, Setup
 
 TITLE = "Pinball: 150 shapes, one ball, one substep, stepped and read back"
@@ -49,14 +48,14 @@ def run(quick: bool) -> list[Figure]:
     """Microseconds of a step and of reading the ball's position, then of a substep inside `run`."""
     setup = pinball()
     rounds, calls = (5, 20) if quick else (200, 200)
-    worlds = {name: make(setup) for name, make in engines().items()}
+    worlds = {name: make(setup) for name, make in engines(with_continuous=True).items()}
     before = {name: energy(world, setup) for name, world in worlds.items()}
     seconds = race({name: partial(step_and_read, world) for name, world in worlds.items()}, rounds, calls)
     figures = [
         Figure("stepped and read", name, 1e6 * seconds[name], "µs a step", energy(world, setup) / before[name])
         for name, world in worlds.items()
     ]
-    return [*figures, inside_run(setup, 200 if quick else 20_000)]
+    return [*figures, *inside_run(setup, 200 if quick else 20_000)]
 
 
 def step_and_read(engine: Engine) -> None:
@@ -65,12 +64,18 @@ def step_and_read(engine: Engine) -> None:
     engine.first_ball()
 
 
-def inside_run(setup: Setup, steps: int) -> Figure:
+def inside_run(setup: Setup, steps: int) -> list[Figure]:
     """Microseconds of a substep when `run` makes all steps without returning to Python."""
-    engine = Carom(setup)
-    before = energy(engine, setup)
-    engine.world.run(steps * setup.time_step, dt=setup.time_step)
-    began = perf_counter()
-    engine.world.run(steps * setup.time_step, dt=setup.time_step)
-    seconds = (perf_counter() - began) / steps
-    return Figure("inside run", "carom", 1e6 * seconds, "µs a substep", energy(engine, setup) / before)
+    worlds = {"carom": Carom(setup), CONTINUOUS: Carom(setup, "continuous")}
+    before = {name: energy(engine, setup) for name, engine in worlds.items()}
+
+    def run_all(engine: Carom) -> None:
+        engine.world.run(steps * setup.time_step, dt=setup.time_step)
+
+    calls = {name: partial(run_all, engine) for name, engine in worlds.items()}
+    race(calls, rounds=1)
+    seconds = race(calls, rounds=7)
+    return [
+        Figure("inside run", name, 1e6 * seconds[name] / steps, "µs a substep", energy(engine, setup) / before[name])
+        for name, engine in worlds.items()
+    ]

@@ -19,6 +19,8 @@ class Setup:
     time_step: float
     segments: Floats = field(default_factory=partial(np.empty, (0, 4)))  # start x, y, end x, y
     circles: Floats = field(default_factory=partial(np.empty, (0, 3)))  # centre x, y, radius; solid
+    rings: Floats = field(default_factory=partial(np.empty, (0, 3)))  # centre x, y, radius; hollow: for carom alone
+    chained: bool = False  # the segments are one closed convex line, counterclockwise round the balls; engines know it
     gravity: tuple[float, float] = (0.0, 0.0)
     elasticity: float = 1.0  # of every pair that meets
 
