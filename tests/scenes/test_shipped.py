@@ -11,16 +11,17 @@ from carom import scenes
 
 DT = 1.0 / 60.0
 
-#: Where the balls of each scene may be, given x, y and the radius; by so much may a ball be found within a wall.
-SLACK = 0.2
+#: Where the balls of each scene may be, given x, y and the radius; by so much may a ball be found within a wall, in
+#: the continuous mode by rounding alone.
+SLACK, ROUNDING = 0.2, 1e-9
 ROOMS: dict[str, Callable[[float, float, float], bool]] = {
     "galton": lambda x, y, r: y > 0.0,
     "gas": lambda x, y, r: True,
     "newtons_cradle": lambda x, y, r: abs(y) <= 1e-12,
     "pinball": lambda x, y, r: (0.0 < x < 20.0 and 0.0 < y <= 32.0) or hypot(x - 10.0, y - 32.0) < 10.0 - r + SLACK,
     "pool": lambda x, y, r: -6.0 < x < 260.0 and -10.0 < y < 137.0,
-    "sinai": lambda x, y, r: max(abs(x), abs(y)) < 2.0 - r + SLACK and hypot(x, y) > 1.0 + r - SLACK,
-    "stadium": lambda x, y, r: hypot(max(abs(x) - 2.0, 0.0), y) < 2.0 - r + SLACK,
+    "sinai": lambda x, y, r: max(abs(x), abs(y)) < 2.0 - r + ROUNDING and hypot(x, y) > 1.0 + r - ROUNDING,
+    "stadium": lambda x, y, r: hypot(max(abs(x) - 2.0, 0.0), y) < 2.0 - r + ROUNDING,
     "toy": lambda x, y, r: 0.0 < x < 32.0 and 0.0 < y < 24.0 and (y < x + 13.0 or hypot(x - 5.0, y - 19.0) < 3.5),
 }
 FEW: dict[str, dict[str, int]] = {"galton": {"rows": 4, "balls": 15}, "gas": {"balls": 15}}
@@ -39,6 +40,7 @@ def check(world: carom.World, name: str) -> None:
     assert np.isfinite(world.balls.position).all()
     assert np.isfinite(world.balls.velocity).all()
     assert world.statistics.strays == 0
+    assert world.statistics.stalled == 0
     assert world.strays == []
     for (x, y), radius in zip(world.balls.position.tolist(), world.balls.radius.tolist(), strict=True):
         assert ROOMS[name](x, y, radius), (x, y, world.time)
@@ -99,14 +101,24 @@ def test_the_cradle_passes_one_ball_on() -> None:
 
 def test_the_eight_is_potted_and_stays() -> None:
     world = scenes.pool().build()
-    entered = [hit for hit in world.run(8.0, DT) if hit.kind == carom.HitKind.ENTER]
+    hits = world.run(8.0, DT)
+    entered = [hit for hit in hits if hit.kind == carom.HitKind.ENTER]
     assert [(hit.ball.name, hit.shape.name) for hit in entered] == [("eight", "upper right pocket")]
+    assert {hits[0].ball.name, hits[0].shape.name} == {"cue ball", "eight"}
     cue, eight = world.balls
     assert eight.position[0] > 254.0 - 3.0
     assert eight.position[1] > 127.0 - 3.0
     assert 0.0 < cue.position[0] < 254.0
     assert 0.0 < cue.position[1] < 127.0
     assert cue.velocity == eight.velocity == (0.0, 0.0)
+
+
+def test_the_eight_goes_as_aimed() -> None:
+    world = scenes.pool().build()
+    _, eight = world.balls
+    way = np.array((254.0 - 1.5, 127.0 - 1.5)) - eight.position
+    world.run(0.7, DT)
+    assert np.array(eight.velocity) / hypot(*eight.velocity) == pytest.approx(way / hypot(*way), abs=1e-12)
 
 
 def test_billiards_paths_part() -> None:

@@ -63,6 +63,5 @@ def _billiard(name: str, shapes: list[Any], start: tuple[float, float], directio
         )
         for place in range(BALLS)
     ]
-    return Scene(
-        name=name, world=WorldDescriptor(bounds=(-5.0, -3.0, 5.0, 3.0)), guard=True, shapes=shapes, balls=balls
-    )
+    world = WorldDescriptor(detection="continuous", substeps=1, bounds=(-5.0, -3.0, 5.0, 3.0))
+    return Scene(name=name, world=world, guard=True, shapes=shapes, balls=balls)

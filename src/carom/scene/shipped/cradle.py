@@ -26,7 +26,7 @@ def newtons_cradle(balls: int = 5) -> Scene:
     corners = [(left, -diameter), (right, -diameter), (right, diameter), (left, diameter), (left, -diameter)]
     return Scene(
         name="newtons_cradle",
-        world=WorldDescriptor(bounds=(left - 1.0, -3.0, right + 1.0, 3.0)),
+        world=WorldDescriptor(detection="continuous", substeps=1, bounds=(left - 1.0, -3.0, right + 1.0, 3.0)),
         guard=True,
         shapes=walls(corners, name="wall"),
         balls=[first, *others],

@@ -37,8 +37,9 @@ WALL_ELASTICITY = 0.6
 def galton(rows: int = 12, balls: int = 1000, seed: int = 0) -> Scene:
     """Galton's board: balls fall through rows of pegs into bins, where they pile up to a bell.
 
-    `rows` rows of pegs (1 to 100), one bin more than that, and `balls` (1 to 100,000) in the hopper. The bins are so deep that the balls fill the fullest one to `BIN_FILL`. They start on a lattice, each moved by a
-    little at random, drawn by NumPy from `seed`.
+    `rows` rows of pegs (1 to 100), one bin more than that, and `balls` (1 to 100,000) in the hopper. The bins are so
+    deep that the balls fill the fullest one to `BIN_FILL`. The balls start on a lattice, each moved by a little at
+    random, drawn by NumPy from `seed`.
     """
     lines = whole("rows", rows, 1, 100)
     count = whole("balls", balls, 1, 100_000)

@@ -37,9 +37,9 @@ def pool() -> Scene:
     return Scene(
         name="pool",
         world=WorldDescriptor(
+            detection="continuous",  # so that the eight goes exactly as aimed
             friction=ROLLING_FRICTION,
             sleep_speed=0.5,
-            substeps=32,  # so that the cue ball is found to overlap the eight by little, and the eight goes as aimed
             bounds=(-20.0, -20.0, LENGTH + 20.0, WIDTH + 20.0),
         ),
         guard=True,
