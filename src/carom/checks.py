@@ -13,10 +13,16 @@ from carom.rows import ALL_LAYERS
 
 Vector: TypeAlias = tuple[float, float]
 
+#: Characters of a refused value in a message at most.
+LONGEST_VALUE = 1000
+
 
 def refuse(name: str, must: str, value: object) -> InvalidArgument:
-    """The error to raise when argument `name` with `value` does not do what it `must`."""
-    return InvalidArgument(f"{name} {must}, not {value!r}")
+    """The error to raise when argument `name` with `value` does not do what it `must`; values are shown up to a page."""
+    shown = repr(value)
+    if len(shown) > LONGEST_VALUE:
+        shown = f"{shown[:LONGEST_VALUE]} ..."
+    return InvalidArgument(f"{name} {must}, not {shown}")
 
 
 def number(name: str, value: Any) -> float:
