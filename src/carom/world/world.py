@@ -409,13 +409,16 @@ class World(Settings):
         return Hits.of(self, rows, gone)
 
     def _take_hits(self) -> Rows:
-        """A copy of the hits recorded so far, which are then forgotten."""
+        """A copy of the hits recorded so far, in order of time, which are then forgotten."""
         state = self._states[0]
         count = int(state["hits"])
         if count == 0:
             return NO_ROWS
         rows = self._room.hits[:count].copy()
         state["hits"] = 0
+        # A ball in flight finds out that it has left a sensor only later.
+        if (np.diff(rows["time"]) < 0.0).any():
+            rows = rows[np.argsort(rows["time"], kind="stable")]
         return rows
 
     def _serve(self, status: int) -> None:
