@@ -69,7 +69,7 @@ def ring_of(pieces: int) -> list[carom.Shape]:
 def flat(turn: float) -> tuple[list[carom.Shape], float, float]:
     """Two segments in line."""
     end = (3.0 * cos(turn), 3.0 * sin(turn))
-    return [carom.Segment((-end[0], -end[1]), (0.0, 0.0)), carom.Segment((0.0, 0.0), end)], turn + 0.5 * pi, 1.2
+    return [carom.Segment((-end[0], -end[1]), (0.0, 0.0)), carom.Segment((0.0, 0.0), end)], turn + 0.5 * pi, 0.9
 
 
 def tangent(side: float) -> Callable[[float], tuple[list[carom.Shape], float, float]]:
@@ -81,7 +81,7 @@ def tangent(side: float) -> Callable[[float], tuple[list[carom.Shape], float, fl
         start = (-3.0 * cos(turn), -3.0 * sin(turn))
         low = up + (pi if side > 0.0 else 0.0)
         first, last = (low, low + 1.5) if side > 0.0 else (low - 1.5, low)
-        return [carom.Segment(start, (0.0, 0.0)), carom.Arc(center, 2.0, first, last)], up, 1.2
+        return [carom.Segment(start, (0.0, 0.0)), carom.Arc(center, 2.0, first, last)], up, 0.9
 
     return made
 
@@ -94,7 +94,7 @@ def bowls(side: float) -> Callable[[float], tuple[list[carom.Shape], float, floa
         center = (side * 2.0 * cos(up), side * 2.0 * sin(up))
         low = up + (pi if side > 0.0 else 0.0)
         arcs: list[carom.Shape] = [carom.Arc(center, 2.0, low - 1.4, low), carom.Arc(center, 2.0, low, low + 1.4)]
-        return arcs, up, 1.2
+        return arcs, up, 0.9
 
     return made
 
@@ -143,7 +143,7 @@ def aimed(random: Random, count: int, up: float, spread: float, radius: float, g
     places, velocities = [], []
     for _ in range(count):
         heading = up + random.choice((0.0, random.uniform(-spread, spread)))
-        away, speed = random.uniform(1.2, 2.0) * radius, random.uniform(1.0, 1.4)
+        away, speed = random.uniform(2.2, 3.0) * radius, random.uniform(2.0, 3.0)
         place = (away * cos(heading), away * sin(heading))
         # It arrives after this time, having fallen that far by then.
         time = (away - radius) / speed

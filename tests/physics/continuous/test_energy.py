@@ -1,0 +1,89 @@
+"""Energy, and in a round room angular momentum, hold over a million impacts at elasticity 1."""
+
+from math import cos, sin, sqrt
+from random import Random
+
+import pytest
+
+import carom
+from tests.physics.continuous.rooms import box, random_room, ring, stadium, world_of
+
+IMPACTS = 1_000_000
+DRIFT = 1e-9
+
+
+def sent(shapes: list[carom.Shape], position: tuple[float, float], angle: float, radius: float) -> carom.World:
+    """A world with one ball of speed 1."""
+    world = world_of(shapes)
+    world.add(carom.Ball(position, radius, velocity=(cos(angle), sin(angle))))
+    return world
+
+
+def run_impacts(world: carom.World, count: int, seconds: float) -> None:
+    """Nothing; runs a world until so many impacts have happened, in steps of so many seconds."""
+    done = 0
+    while done < count:
+        hits = len(world.step(seconds))
+        assert 0 < hits < 100_000
+        done += hits
+    assert world.statistics.stalled == 0
+
+
+def speed(world: carom.World) -> float:
+    """The speed of a world's only ball."""
+    vx, vy = world.balls[0].velocity
+    return sqrt(vx * vx + vy * vy)
+
+
+ROOMS = {
+    "stadium": lambda: stadium(1.5, 1.0),
+    "Sinai": lambda: [*box(4.0, 4.0), carom.Circle((2.0, 2.0), 1.0, solid=True)],
+    "any": lambda: random_room(Random(4)).shapes,
+}
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", ROOMS)
+def test_energy_of_one_ball(name: str) -> None:
+    world = sent(ROOMS[name](), (0.5, 0.4), 1.0, 0.1)
+    run_impacts(world, IMPACTS, 10_000.0)
+    assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("pieces", [0, 1 + 4])
+@pytest.mark.parametrize("angle", [1.5, 0.1])
+def test_energy_and_angular_momentum_in_a_round_room(pieces: int, angle: float) -> None:
+    center, radius = (0.25, -0.5), 2.0
+    wall: list[carom.Shape] = ring(center, radius, pieces) if pieces else [carom.Circle(center, radius)]
+    world = sent(wall, (1.0, 0.3), angle, 0.1)
+    before = momentum(world, center)
+    run_impacts(world, IMPACTS, 10_000.0)
+    assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
+    assert abs(momentum(world, center) - before) < DRIFT * radius
+
+
+def momentum(world: carom.World, center: tuple[float, float]) -> float:
+    """The angular momentum of a world's only ball about a point, per mass."""
+    (x, y), (vx, vy) = world.balls[0].position, world.balls[0].velocity
+    return (x - center[0]) * vy - (y - center[1]) * vx
+
+
+@pytest.mark.compiled
+def test_energy_and_momentum_of_many_balls() -> None:
+    random = Random(5)
+    world = world_of(box(10.0, 10.0))
+    for i in range(64):
+        place = (0.7 + 1.2 * (i % 8), 0.7 + 1.2 * (i // 8))
+        velocity = (random.gauss(0.0, 1.0), random.gauss(0.0, 1.0))
+        world.add(
+            carom.Ball(place, random.uniform(0.1, 0.5), velocity=velocity, mass=10.0 ** random.uniform(-2.0, 2.0))
+        )
+    before = energy(world)
+    run_impacts(world, IMPACTS, 50.0)
+    assert energy(world) == pytest.approx(before, rel=DRIFT)
+
+
+def energy(world: carom.World) -> float:
+    """Twice the kinetic energy of all balls."""
+    return float((world.balls.mass * (world.balls.velocity**2).sum(axis=1)).sum())
