@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import cos, fabs, sin
 
-from carom.constants import END_DEPTH_DISCRETE, SEPARATION_SLACK
+from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_DISCRETE, SEPARATION_SLACK
 from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
-from carom.geometry.vector import cross, dot, larger, length, rotated
+from carom.geometry.vector import cross, dot, larger, length, length_squared, rotated
 from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
@@ -185,7 +185,7 @@ def bounce_off_shape(
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py)
     wx, wy = vx - ux, vy - uy
     s = dot(wx, wy, nx, ny)
-    if s >= 0.0:
+    if not approaches(s, length_squared(vx, vy) + length_squared(ux, uy)):
         return
     g_n = dot(float(state["gravity_x"]), float(state["gravity_y"]), nx, ny)
     approach = approach_at_contact(s, g_n, setback)
@@ -204,6 +204,14 @@ def bounce_off_shape(
     wake(state, ball)
     impulse = gain * float(ball["mass"])
     record_hit(state, hits[state["hits"]], time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
+
+
+def approaches(s: float, squares: float) -> bool:
+    """True if the normal speed `s` is an approach, and not what rounding has left of one that a response has ended.
+
+    `squares` is the sum of the squared speeds that `s` is the difference of.
+    """
+    return s < 0.0 and not s * s < APPROACH_ROUNDING_SQUARED * squares
 
 
 def limit_speed(state: Row, ball: Row) -> None:
@@ -309,7 +317,7 @@ def bounce_pair(
     vx, vy = float(first["vx"]), float(first["vy"])
     wx, wy = float(second["vx"]), float(second["vy"])
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
-    if u2 - u1 >= 0.0:
+    if not approaches(u2 - u1, length_squared(vx, vy) + length_squared(wx, wy)):
         return
     first_mass, second_mass = float(first["mass"]), float(second["mass"])
     elasticity = float(first["elasticity"]) * float(second["elasticity"])

@@ -1,6 +1,6 @@
 """Responses in a world: bounces, kicks, rest, friction, and the speed limit."""
 
-from math import hypot
+from math import cos, hypot, sin
 
 import pytest
 
@@ -239,6 +239,24 @@ def test_a_ball_over_an_arc_s_centre_is_pushed_from_its_middle() -> None:
     ball = world.add(Ball((0, 0), radius=1))
     world.step(0.1)
     assert hypot(*ball.position) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("turn", [0.1, 0.7, 1.9, 2.8])
+def test_balls_that_stick_hit_once_however_long_they_travel_together(turn: float) -> None:
+    world = World()
+    x, y = cos(turn), sin(turn)
+    world.add(Ball((0, 0), radius=1, velocity=(3, 1), elasticity=0, mass=1.3))
+    world.add(Ball((2.1 * x, 2.1 * y), radius=1, velocity=(3 - 0.7 * x, 1 - 0.7 * y), mass=0.3))
+    assert len(world.run(20)) == 1
+
+
+@pytest.mark.parametrize("turn", [0.1, 0.7, 1.9, 2.8])
+def test_a_ball_that_slides_along_a_wall_without_gravity_hits_it_once(turn: float) -> None:
+    world = World()
+    x, y = cos(turn), sin(turn)
+    world.add(Segment((-99 * x, -99 * y), (99 * x, 99 * y), elasticity=0))
+    world.add(Ball((-1.5 * y, 1.5 * x), radius=1, velocity=(2 * x + y, 2 * y - x)))
+    assert len(world.run(20)) == 1
 
 
 @pytest.mark.parametrize(("m1", "m2", "e"), [(1, 1, 1), (2, 5, 0.7), (1, 1e6, 1), (3, 1, 0)])
