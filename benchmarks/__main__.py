@@ -1,4 +1,7 @@
-"""Measure every workload, or some, and print a table of each; nothing is asserted."""
+"""Measure every workload, or some, and print a table of each; nothing is asserted.
+
+Times are the processor's, so other processes on the machine count little; those of start-up are the clock's.
+"""
 
 import argparse
 import json
@@ -45,7 +48,9 @@ def machine() -> dict[str, str]:
 
 def main(arguments: list[str]) -> None:
     """Run what the command line asks for."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument(
         "--quick", action="store_true", help="small and short, to see that it runs; its figures mean little"
     )

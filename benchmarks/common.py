@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from statistics import median
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 from rich.console import Console
@@ -29,14 +29,17 @@ class Figure:
 
 
 def race(calls: Mapping[str, Callable[[], object]], rounds: int, calls_each: int = 1) -> dict[str, float]:
-    """Median seconds per call of each, taking turns, so that a slow moment of the machine slows all alike."""
+    """Median seconds of the processor per call of each, so that what else runs on the machine counts little.
+
+    They take turns, so that a slow moment of the machine slows all alike.
+    """
     seconds: dict[str, list[float]] = {name: [] for name in calls}
     for _ in range(rounds):
         for name, call in calls.items():
-            began = perf_counter()
+            began = process_time()
             for _ in range(calls_each):
                 call()
-            seconds[name].append((perf_counter() - began) / calls_each)
+            seconds[name].append((process_time() - began) / calls_each)
     return {name: median(values) for name, values in seconds.items()}
 
 
