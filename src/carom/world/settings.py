@@ -163,7 +163,8 @@ class Settings:
         "discrete",
         DETECTIONS,
         "detection",
-        "How collisions are found: after moving (`discrete`) or when they happen (`continuous`).",
+        "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
+        " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
     )
     substeps = count(4, 1_000_000, "substeps", "Motion iterations per step.")
     iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")

@@ -160,3 +160,12 @@ def test_the_json_schema_explains_every_field() -> None:
         assert definition["description"]
         for name, field in definition["properties"].items():
             assert name == "kind" or field["description"].endswith("."), name
+
+
+def test_guard_points_are_called_so_and_those_of_a_compound_go_by_its_name() -> None:
+    wall = carom.Segment((5, 0), (9, 0), name="wall")
+    world = carom.Scene(guard=True, shapes=(wall, flipper(name="flipper"))).build()
+    names = [shape.name for shape in world.shapes if isinstance(shape, carom.Point)]
+    assert names == ["guard point", "guard point"]
+    (compound,) = [shape for shape in world.shapes if isinstance(shape, carom.Compound)]
+    assert {part.name for part in compound.shapes if isinstance(part, carom.Point)} == {None}
