@@ -1,4 +1,4 @@
-"""The continuous mode, in seconds of the processor: impacts a second of a billiard ball, and Galperin's count beside python-billiards."""
+"""The continuous mode: impacts a second of a billiard ball, and the first example of python-billiards."""
 
 import importlib.util
 from math import pi
