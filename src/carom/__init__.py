@@ -33,15 +33,17 @@ from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
     from carom.scene import Scene, scenes
-    from carom.world import HitKind, Hits, World
+    from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Aabb",
+    "Aim",
     "Arc",
     "Ball",
     "CaromError",
+    "CastHit",
     "Circle",
     "Compound",
     "Contact",
@@ -51,6 +53,7 @@ __all__ = [
     "InvalidArgument",
     "Line",
     "Motion",
+    "Neighbor",
     "NonFiniteState",
     "Point",
     "Scene",
@@ -72,8 +75,11 @@ __all__ = [
 
 #: Names that cost time to import (a compiler, a validator), each with the module that it is imported from when used.
 _LAZY = {
+    "Aim": "carom.world",
+    "CastHit": "carom.world",
     "HitKind": "carom.world",
     "Hits": "carom.world",
+    "Neighbor": "carom.world",
     "World": "carom.world",
     "Scene": "carom.scene",
     "scenes": "carom.scene",

@@ -156,3 +156,24 @@ SPAN_END = 0.999999999999
 
 #: (√5 - 1)/2: its multiples, modulo 1, keep away from each other as evenly as those of any number.
 GOLDEN_SECTION = 0.6180339887498949
+
+#: Cells per item at most, and places in cells per item at most, of the grid that serves queries: more cells, shorter
+#: lists, more memory (4 bytes a place) and more time to make the grid. Changes the speed alone.
+SEARCH_CELLS_PER_ITEM = 4.0
+SEARCH_MARKS_PER_ITEM = 64.0
+
+#: Widths of a cell by which items and queries are taken to be larger than they are, so that rounding of a place in the
+#: grid (1e-16 of the number of cells) never hides one from the other.
+SEARCH_MARGIN = 1e-6
+
+#: Queries of a world as it stands that are answered by testing every item, before a grid is made: making it takes about
+#: as long as they do. Changes the speed alone.
+SEARCH_SCANS = 32
+
+#: Relative to a ray's length and its distance from a segment or arc: how far past their ends rays meet them, so that
+#: none slips through a joint. Ten times the rounding of where a ray meets a line; far below anything that is seen.
+RAY_SLOP = 1e-14
+
+#: Relative to the speed of a shot: a ball that goes on slower stands still. Aimed full at another, it keeps what the
+#: rounding of its line leaves it, some 1e-15 for every radius that it comes from afar.
+STILL_SHARE = 1e-12

@@ -60,6 +60,13 @@ KERNEL_MODULES = (
     "carom.world.encounter",
     "carom.world.spans",
     "carom.world.continuous",
+    "carom.geometry.boxes",
+    "carom.geometry.ray",
+    "carom.world.search_grid",
+    "carom.world.casting",
+    "carom.world.nearest",
+    "carom.world.overlapping",
+    "carom.world.aiming",
 )
 
 #: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.

@@ -22,6 +22,7 @@ from carom.world import compiled
 from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.world.queries import Queries
 from carom.world.refusal import refusal
 from carom.world.removal import remove_rows
 from carom.world.safety import roll_back, was_changed
@@ -45,7 +46,7 @@ SLICE_SECONDS = 0.1
 MOST_STEPS = 2**62
 
 
-class World(Settings):
+class World(Settings, Queries):
     """Shapes and balls that collide.
 
     Every setting is a keyword argument and an attribute that can be changed while the world runs; `Settings` lists them
@@ -282,6 +283,7 @@ class World(Settings):
         """Nothing; has the next step look at its tables anew."""
         self._states[0]["wake"] = 1
         self._arguments = None
+        self._search = None
         self._dt = -1.0
 
     def _will_wake(self) -> bool:

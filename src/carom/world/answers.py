@@ -1,0 +1,258 @@
+"""What queries of a world answer: an object or None for one query, an array of rows for many.
+
+Every array is a structured NumPy array whose columns are the fields of the object, with ids in the place of shapes and
+balls. `answers[i]` and iteration give the objects, None where query `i` found nothing; `answers.found` says which did.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import Vector
+from carom.rows import Rows
+from carom.shapes.detection import Contact
+
+if TYPE_CHECKING:
+    from carom.shapes.ball import Ball
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+T = TypeVar("T")
+
+#: What a query asks, and what it sees. A box goes from x, y to to_x, to_y.
+QUERY = np.dtype(
+    [
+        ("x", "f8"),
+        ("y", "f8"),
+        ("to_x", "f8"),
+        ("to_y", "f8"),
+        ("radius", "f8"),
+        ("layer", "u4"),
+        ("collides_with", "u4"),
+        ("sensors", "i4"),
+    ]
+)
+
+#: Where a grid lies that serves queries: its corner, the width of its cells, and how many there are.
+SEARCH_GRID = np.dtype([("left", "f8"), ("bottom", "f8"), ("side", "f8"), ("columns", "i8"), ("lines", "i8")])
+
+CAST_HIT = np.dtype([("shape", "i8"), ("fraction", "f8"), ("point", "f8", (2,)), ("normal", "f8", (2,))])
+NEIGHBOR = np.dtype([("shape", "i8"), ("distance", "f8"), ("point", "f8", (2,))])
+IN_BOX = np.dtype([("box", "i8"), ("shape", "i8")])
+CONTACT = np.dtype(
+    [
+        ("shape", "i8"),
+        ("ball", "i8"),
+        ("point", "f8", (2,)),
+        ("normal", "f8", (2,)),
+        ("setback", "f8"),
+        ("speed", "f8"),
+    ]
+)
+AIM = np.dtype(
+    [
+        ("ball", "i8"),
+        ("shape", "i8"),
+        ("start", "f8", (2,)),
+        ("ghost", "f8", (2,)),
+        ("distance", "f8"),
+        ("point", "f8", (2,)),
+        ("normal", "f8", (2,)),
+        ("direction", "f8", (2,)),
+        ("speed", "f8"),
+        ("other_direction", "f8", (2,)),
+        ("other_speed", "f8"),
+    ]
+)
+
+
+@dataclass(frozen=True, slots=True)
+class CastHit:
+    """What a ray or a moving circle touches first.
+
+    Attributes:
+        shape: The shape or ball that it touches.
+        fraction: How much of the way to the target is gone then, 0 to 1.
+        point: Where it touches, on the shape.
+        normal: Unit vector there, from the shape towards where the ray or circle came from.
+    """
+
+    shape: Shape | Ball
+    fraction: float
+    point: Vector
+    normal: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbor:
+    """What is nearest to a place.
+
+    Attributes:
+        shape: The shape or ball that is nearest.
+        distance: How far away; below 0 inside a ball or a solid circle, where it is the way out.
+        point: The shape's nearest point.
+    """
+
+    shape: Shape | Ball
+    distance: float
+    point: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Aim:
+    """A ball's straight path up to its next impact, and what follows from that.
+
+    Attributes:
+        ball: The ball.
+        shape: The shape or ball that it meets.
+        start: Where the ball's centre is.
+        ghost: Where its centre is at the impact.
+        distance: How far that is.
+        point: Where they touch.
+        normal: Unit vector there, from the shape to the ball.
+        direction: Unit vector in which the ball goes on; None if it stands still.
+        speed: How fast it goes on, if it came as fast as the direction that was asked about is long.
+        other_direction: Unit vector in which the other ball goes; None if that is no ball, or stands still.
+        other_speed: How fast the other ball goes.
+    """
+
+    ball: Ball
+    shape: Shape | Ball
+    start: Vector
+    ghost: Vector
+    distance: float
+    point: Vector
+    normal: Vector
+    direction: Vector | None
+    speed: float
+    other_direction: Vector | None
+    other_speed: float
+
+
+class Answers(np.ndarray[Any, np.dtype[Any]], Generic[T]):
+    """The answers to many queries, in their order: a structured array whose items are objects, or None.
+
+    Objects are looked up when an item is asked for; it is a `LookupError` where one has left the world for good.
+    """
+
+    DTYPE: ClassVar[np.dtype[Any]]
+
+    _world: World | None
+
+    @classmethod
+    def of(cls, world: World, rows: Rows) -> Self:
+        """Answers of a world from rows of dtype `DTYPE`."""
+        answers = rows.view(cls)
+        answers._world = world
+        return answers
+
+    def __array_finalize__(self, source: Any) -> None:
+        self._world = getattr(source, "_world", None)
+
+    def __iter__(self) -> Iterator[T | None]:  # type: ignore[override]
+        for row in self.view(np.ndarray):
+            yield self._answer(row)
+
+    def __getitem__(self, key: Any) -> Any:
+        item = super().__getitem__(key)
+        if isinstance(item, np.void):
+            return self._answer(item)
+        return item if getattr(item, "dtype", None) == self.DTYPE else np.asarray(item)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {np.count_nonzero(self.found)} of {len(self)} found something>"
+
+    __str__ = __repr__
+
+    @property
+    def found(self) -> NDArray[np.bool_]:
+        """Which queries found something."""
+        return np.asarray(self.view(np.ndarray)["shape"] != 0)
+
+    def _answer(self, row: Any) -> T | None:
+        """The object for a row, or None for one that says that nothing was found."""
+        if self._world is None:
+            raise LookupError("these answers have lost their world (they were pickled or copied); read them as arrays")
+        return None if row["shape"] == 0 else self._object(self._world, row)
+
+    def _object(self, world: World, row: Any) -> T:
+        """The object for a row that says that something was found."""
+        raise NotImplementedError
+
+
+class CastHits(Answers[CastHit]):
+    """What many rays or circles touch first.
+
+    Where one touches nothing, `shape` is 0, `fraction` 1, `point` the target and `normal` 0.
+    """
+
+    DTYPE = CAST_HIT
+
+    def _object(self, world: World, row: Any) -> CastHit:
+        shape, fraction, point, normal = row.item()
+        return CastHit(_member(world, shape), fraction, _vector(point), _vector(normal))
+
+
+class Neighbors(Answers[Neighbor]):
+    """What is nearest to many places; `shape` 0 and `distance` infinite in a world where nothing can be seen."""
+
+    DTYPE = NEIGHBOR
+
+    def _object(self, world: World, row: Any) -> Neighbor:
+        shape, distance, point = row.item()
+        return Neighbor(_member(world, shape), distance, _vector(point))
+
+
+class Contacts(Answers[Contact]):
+    """Overlaps of balls with shapes and other balls, in the order of the balls' ids, then of the shapes'."""
+
+    DTYPE = CONTACT
+
+    def _object(self, world: World, row: Any) -> Contact:
+        shape, ball, point, normal, setback, speed = row.item()
+        return Contact(_member(world, shape), _member(world, ball), _vector(point), _vector(normal), setback, speed)
+
+
+class Aims(Answers[Aim]):
+    """The paths of many balls, or of one in many directions.
+
+    Where one meets nothing, `shape` is 0, and so is all else but `ball` and `start`. A direction that is None in `Aim`
+    is (0, 0) here.
+    """
+
+    DTYPE = AIM
+
+    def _object(self, world: World, row: Any) -> Aim:
+        ball, shape, start, ghost, distance, point, normal, direction, speed, other_direction, other_speed = row.item()
+        return Aim(
+            _member(world, ball),
+            _member(world, shape),
+            _vector(start),
+            _vector(ghost),
+            distance,
+            _vector(point),
+            _vector(normal),
+            _vector(direction) if direction.any() else None,
+            speed,
+            _vector(other_direction) if other_direction.any() else None,
+            other_speed,
+        )
+
+
+def _member(world: World, member_id: int) -> Any:
+    """The shape or ball with an id, which may have left the world since, if someone keeps it."""
+    member = world._object_of_hit(member_id, None)
+    if member is None:
+        raise LookupError(f"what has the id {member_id} has left the world; read these answers as arrays")
+    return member
+
+
+def _vector(pair: Any) -> Vector:
+    """A pair of a row as a tuple of floats."""
+    x, y = pair
+    return float(x), float(y)

@@ -1,0 +1,457 @@
+"""What one may ask a world as it stands: rays, circles, neighbours, boxes, overlaps, and a pool player's line.
+
+Every question can be asked once, or many times in one call with arrays of shape (n, 2), which one compiled loop
+answers; a pair where others are arrays stands for all of them. No question changes the world.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom import checks
+from carom.checks import Vector
+from carom.errors import InvalidArgument
+from carom.rows import ALL_LAYERS, Rows
+from carom.shapes.aabb import Aabb
+from carom.shapes.ball import Ball
+from carom.world import compiled
+from carom.world.answers import (
+    AIM,
+    CAST_HIT,
+    CONTACT,
+    IN_BOX,
+    NEIGHBOR,
+    QUERY,
+    Aim,
+    Aims,
+    CastHit,
+    CastHits,
+    Contacts,
+    Neighbor,
+    Neighbors,
+)
+from carom.world.search import Search
+
+if TYPE_CHECKING:
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+#: What a query sees: its `layer`, its `collides_with`, and whether it sees sensors.
+Masks: TypeAlias = tuple[int, int, bool]
+
+#: Many pairs: an array of shape (n, 2), or a list of pairs.
+Vectors: TypeAlias = NDArray[Any] | Sequence[Vector]
+
+
+class Queries:
+    """The questions that a `World` answers.
+
+    All take `layer` and `collides_with`, which say what is seen: a shape or ball is, if its layer is in the query's
+    `collides_with` and the query's `layer` in its own (both are all layers unless given). Sensors are seen only where
+    `sensors` is True; what cannot collide is never seen.
+    """
+
+    _search: Search | None = None
+
+    # -- rays and moving circles -------------------------------------------------------------------------------------
+
+    @overload
+    def ray_cast(
+        self, origin: Vector, target: Vector, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> CastHit | None: ...
+    @overload
+    def ray_cast(
+        self,
+        origin: Vectors,
+        target: Vector | Vectors,
+        *,
+        layer: int = ...,
+        collides_with: int = ...,
+        sensors: bool = ...,
+    ) -> CastHits: ...
+    @overload
+    def ray_cast(
+        self, origin: Vector, target: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> CastHits: ...
+    def ray_cast(
+        self,
+        origin: Vector | Vectors,
+        target: Vector | Vectors,
+        *,
+        layer: int = ALL_LAYERS,
+        collides_with: int = ALL_LAYERS,
+        sensors: bool = False,
+    ) -> CastHit | CastHits | None:
+        """What the ray from `origin` to `target` hits first, or None; for arrays a `CastHits`.
+
+        Segments, arcs and circles that are not solid are hit from both sides, a gate from its closed side alone. A ball
+        or solid circle is hit from outside: a ray that starts inside does not see it. A ray that starts on a segment or
+        perimeter hits it at once; points have no width and are never hit. Of two at the same place, the one that was
+        added first is hit.
+
+        Raises:
+            InvalidArgument: `origin` or `target` is no pair or array of finite numbers, or their lengths differ.
+
+        >>> import carom
+        >>> world = carom.World()
+        >>> wall = world.add(carom.Segment((4, -1), (4, 1)))
+        >>> hit = world.ray_cast((0, 0), (8, 0))
+        >>> hit.shape is wall, hit.fraction, hit.point, hit.normal
+        (True, 0.5, (4.0, 0.0), (-1.0, 0.0))
+        """
+        return self._cast("origin", origin, 0.0, target, _masks(layer, collides_with, sensors))
+
+    @overload
+    def circle_cast(
+        self,
+        center: Vector,
+        radius: float,
+        target: Vector,
+        *,
+        layer: int = ...,
+        collides_with: int = ...,
+        sensors: bool = ...,
+    ) -> CastHit | None: ...
+    @overload
+    def circle_cast(
+        self,
+        center: Vectors,
+        radius: float | NDArray[Any],
+        target: Vector | Vectors,
+        *,
+        layer: int = ...,
+        collides_with: int = ...,
+        sensors: bool = ...,
+    ) -> CastHits: ...
+    @overload
+    def circle_cast(
+        self,
+        center: Vector,
+        radius: float | NDArray[Any],
+        target: Vectors,
+        *,
+        layer: int = ...,
+        collides_with: int = ...,
+        sensors: bool = ...,
+    ) -> CastHits: ...
+    def circle_cast(
+        self,
+        center: Vector | Vectors,
+        radius: float | NDArray[Any],
+        target: Vector | Vectors,
+        *,
+        layer: int = ALL_LAYERS,
+        collides_with: int = ALL_LAYERS,
+        sensors: bool = False,
+    ) -> CastHit | CastHits | None:
+        """What a circle moved from `center` to `target` touches first, or None; for arrays a `CastHits`.
+
+        It moves as a ball does: points are touched, bare ends of segments and arcs are not, a gate stops it from the
+        closed side. A circle that overlaps something at the start touches it there if it goes deeper, and not if it
+        leaves. The point is where they touch; the circle's centre is then `fraction` of the way on.
+
+        Args:
+            center: Where the circle's centre starts, a pair or an array of shape (n, 2).
+            radius: Its radius, positive; a number or an array of shape (n,).
+            target: Where its centre is moved to.
+            layer: As for all queries, see `Queries`.
+            collides_with: Likewise.
+            sensors: Likewise.
+
+        Raises:
+            InvalidArgument: Something is no finite number, `radius` is not positive, or lengths differ.
+        """
+        size = _sizes("radius", radius)
+        return self._cast("center", center, size, target, _masks(layer, collides_with, sensors))
+
+    def _cast(
+        self, name: str, start: Any, radius: float | NDArray[np.float64], target: Any, masks: Masks
+    ) -> CastHit | CastHits | None:
+        """The answer to casts of a radius from `start`, the argument `name`, to `target`."""
+        from_, to = _pairs(name, start), _pairs("target", target)
+        _check_lengths({name: from_, "radius": radius, "target": to})
+        _check_distances(from_, to, target)
+        queries, single = _queries(masks, from_, to, radius)
+        rows, _ = self._casts(queries)
+        hits = CastHits.of(self._world, rows)
+        return hits._answer(rows[0]) if single else hits
+
+    def _casts(self, queries: Rows) -> tuple[Rows, Rows]:
+        """The rows of what casts hit, and which items those are."""
+        casts = np.zeros(len(queries), CAST_HIT)
+        found = np.zeros(len(queries), "i4")
+        self._ask("casting.cast_many", len(queries), queries, casts, found)
+        return casts, found
+
+    # -- neighbours and boxes ----------------------------------------------------------------------------------------
+
+    @overload
+    def nearest(
+        self, point: Vector, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> Neighbor | None: ...
+    @overload
+    def nearest(
+        self, point: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> Neighbors: ...
+    def nearest(
+        self,
+        point: Vector | Vectors,
+        *,
+        layer: int = ALL_LAYERS,
+        collides_with: int = ALL_LAYERS,
+        sensors: bool = False,
+    ) -> Neighbor | Neighbors | None:
+        """The shape or ball nearest to `point`, or None where none can be seen; for an array a `Neighbors`.
+
+        Distances are those to the shape's `closest_point`, ends of segments and arcs included. Inside a ball or solid
+        circle they are below 0, so a point in a ball is nearest to that ball. Of two as near, the one added first.
+
+        Raises:
+            InvalidArgument: `point` is no pair or array of finite numbers.
+
+        >>> import carom
+        >>> world = carom.World()
+        >>> ball = world.add(carom.Ball((3, 4), radius=1))
+        >>> world.nearest((0, 0)).distance, world.nearest((3, 4)).distance
+        (4.0, -1.0)
+        """
+        queries, single = _queries(_masks(layer, collides_with, sensors), _pairs("point", point))
+        rows = np.zeros(len(queries), NEIGHBOR)
+        self._ask("nearest.nearest_many", len(queries), queries, rows)
+        neighbors = Neighbors.of(self._world, rows)
+        return neighbors._answer(rows[0]) if single else neighbors
+
+    @overload
+    def overlapping(
+        self, aabb: Aabb, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> list[Shape | Ball]: ...
+    @overload
+    def overlapping(
+        self, aabb: NDArray[Any] | Sequence[Aabb], *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+    ) -> NDArray[Any]: ...
+    def overlapping(
+        self,
+        aabb: Aabb | NDArray[Any] | Sequence[Aabb],
+        *,
+        layer: int = ALL_LAYERS,
+        collides_with: int = ALL_LAYERS,
+        sensors: bool = False,
+    ) -> list[Shape | Ball] | NDArray[Any]:
+        """The shapes and balls that have a point in common with a box, in the order of their ids; touching counts.
+
+        The shapes themselves count, not their boxes: a circle around the box does not, unless it is solid. For an array
+        of shape (n, 4) (left, bottom, right, top), or a list of boxes, the answer is a structured array with a row
+        for every box and shape that meet: `box`, the number of the box, and `shape`, an id.
+
+        Raises:
+            InvalidArgument: `aabb` is no box or array of boxes.
+        """
+        boxes, single = _boxes("aabb", aabb)
+        queries, _ = _queries(_masks(layer, collides_with, sensors), boxes[:, :2], boxes[:, 2:])
+        rows = np.zeros(len(boxes) + 16, IN_BOX)
+        rows = self._ask_for_all("overlapping.overlapping_many", len(queries), queries, rows)
+        rows = rows[np.lexsort((rows["shape"], rows["box"]))]
+        return [self._world.object(int(member)) for member in rows["shape"]] if single else rows
+
+    def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
+        """Every overlap there is now of a ball with a shape or another ball, as a `Contacts` of `Contact` objects.
+
+        They are what `shape.detect(ball)` says for each pair: masks hold between the two, a gate counts where it would
+        stop the ball. Of two balls, the `shape` is the one that was added first. `layer` and `collides_with` leave out
+        pairs of which one is not seen.
+
+        >>> import carom
+        >>> world = carom.World()
+        >>> floor = world.add(carom.Segment((0, 0), (10, 0)))
+        >>> ball = world.add(carom.Ball((5, 0.25), radius=0.5))
+        >>> [(contact.shape is floor, contact.setback) for contact in world.overlaps()]
+        [(True, 0.25)]
+        """
+        queries, _ = _queries(_masks(layer, collides_with, sensors), (0.0, 0.0))
+        count = self._world._room.balls.count
+        rows = np.zeros(count + 16, CONTACT)
+        rows = self._ask_for_all("overlapping.overlaps_of_balls", count, queries, rows)
+        return Contacts.of(self._world, rows[np.lexsort((rows["shape"], rows["ball"]))])
+
+    # -- a pool player's line ----------------------------------------------------------------------------------------
+
+    @overload
+    def aim(self, ball: Ball, direction: Vector) -> Aim | None: ...
+    @overload
+    def aim(self, ball: Ball, direction: Vectors) -> Aims: ...
+    @overload
+    def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aims: ...
+    def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aim | Aims | None:
+        """The straight path of a ball up to its next impact and where both go then, or None if it meets nothing.
+
+        It meets what it would meet in a step (masks hold, sensors do not count, a gate stops it from the closed side),
+        however far away. Everything else is taken to be at rest, and the ball to come with the velocity `direction`:
+        its length matters to nothing but the speeds afterwards, and to the kick of a bumper. Neither gravity nor
+        friction acts.
+
+        Args:
+            ball: A ball of this world; or a list of balls, or an array of ids of shape (n,).
+            direction: Where it is shot, a pair that is not (0, 0); or an array of shape (n, 2).
+
+        Raises:
+            InvalidArgument: `ball` is no ball of this world, or `direction` has no direction.
+
+        >>> import carom
+        >>> world = carom.World()
+        >>> cue, object_ball = world.add(carom.Ball((0, 0), radius=1)), world.add(carom.Ball((10, 0), radius=1))
+        >>> line = world.aim(cue, (1, 0))
+        >>> line.shape is object_ball, line.ghost, line.direction, line.other_direction
+        (True, (8.0, 0.0), None, (1.0, 0.0))
+        """
+        places = self._places(ball)
+        ways = _pairs("direction", direction)
+        _check_lengths({"ball": places, "direction": ways})
+        if not np.any(ways, axis=-1).all():
+            raise checks.refuse("direction", "must not be (0, 0)", direction)
+        single = not (isinstance(places, np.ndarray) or isinstance(ways, np.ndarray))
+        rows = np.broadcast_arrays(np.atleast_1d(places)[:, None], np.atleast_2d(ways))
+        places, ways = rows[0][:, 0].copy(), rows[1].copy()
+        queries = self._shots(places, ways)
+        if not np.isfinite(queries["to_x"] + queries["to_y"]).all():
+            raise checks.refuse("ball", "must be at a finite place", ball)
+        casts, found = self._casts(queries)
+        aims = Aims.of(self._world, np.zeros(len(queries), AIM))
+        room = self._world._room
+        total = bool(room.states[0]["total_restitution"])
+        compiled.load("aiming.aim_many")(
+            queries, casts, found, places, ways, room.shapes.used, room.balls.used, total, aims.view(np.ndarray)
+        )
+        return aims._answer(aims.view(np.ndarray)[0]) if single else aims
+
+    def _places(self, ball: Any) -> int | NDArray[np.int64]:
+        """The row of a ball, or those of several."""
+        table = self._world._room.balls
+        if isinstance(ball, Ball):
+            if ball.world is not self:
+                raise checks.refuse("ball", "must be in this world", ball)
+            return table.index(ball)
+        if isinstance(ball, np.ndarray) and ball.ndim == 1 and ball.dtype.kind in "iu":
+            ids = table.used["id"]
+            if not np.isin(ball, ids).all():
+                raise checks.refuse("ball", "must hold ids of balls in this world", ball)
+            return np.searchsorted(ids, ball)
+        if isinstance(ball, Sequence) and all(isinstance(one, Ball) for one in ball):
+            return np.array([self._places(one) for one in ball], np.int64)
+        raise checks.refuse("ball", "must be a Ball, a list of balls or an array of ids", ball)
+
+    def _shots(self, places: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
+        """The casts of balls in directions, so long that they leave everything behind."""
+        room = self._world._room
+        width = compiled.load("search_grid.width_of_all")(room.shapes.used, room.balls.used)
+        balls = room.balls.used[places]
+        queries = np.zeros(len(places), QUERY)
+        queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
+        # A ball that collides with nothing, or is a sensor, is stopped by nothing.
+        solid = (balls["can_collide"] != 0) & (balls["sensor"] == 0)
+        queries["layer"], queries["collides_with"] = balls["layer"] * solid, balls["collides_with"]
+        units = ways / np.abs(ways).max(axis=1, keepdims=True)
+        units *= width / np.sqrt((units * units).sum(axis=1, keepdims=True))
+        queries["to_x"], queries["to_y"] = queries["x"] + units[:, 0], queries["y"] + units[:, 1]
+        return queries
+
+    # -- asking ------------------------------------------------------------------------------------------------------
+
+    @property
+    def _world(self) -> World:
+        """The world that is asked: this object."""
+        return cast("World", self)
+
+    def _ask(self, kernel: str, count: int, queries: Rows, *answers: Rows) -> int:
+        """What a kernel says to some queries, which look around `count` times; it writes to `answers`."""
+        room = self._world._room
+        if self._search is None or not self._search.is_of(room):
+            self._search = Search(room)
+        grids, stamps = self._search.grids(count), self._search.stamps()
+        return int(compiled.load(kernel)(queries, room.shapes.used, room.balls.used, *grids, stamps, *answers))
+
+    def _ask_for_all(self, kernel: str, count: int, queries: Rows, rows: Rows) -> Rows:
+        """The rows that a kernel finds for queries; it is asked again where it needs more of them than in `rows`."""
+        wanted = self._ask(kernel, count, queries, rows)
+        if wanted > len(rows):
+            rows = np.zeros(wanted, rows.dtype)
+            self._ask(kernel, count, queries, rows)
+        return rows[:wanted]
+
+
+def _pairs(name: str, value: Any) -> Vector | NDArray[np.float64]:
+    """The pair of an argument, or its pairs as an array of shape (n, 2)."""
+    try:
+        many = np.ndim(value) > 1
+    except ValueError:
+        raise checks.refuse(name, "must be a pair of numbers or an array of shape (n, 2)", value) from None
+    return checks.array(name, value, (-1, 2)) if many else checks.pair(name, value)
+
+
+def _boxes(name: str, value: Any) -> tuple[NDArray[np.float64], bool]:
+    """The boxes of an argument as an array of shape (n, 4), and whether it was one box."""
+    try:
+        given = (
+            value if isinstance(value, np.ndarray) else [tuple(box) if isinstance(box, Aabb) else box for box in value]
+        )
+        numbers = np.asarray(given, np.float64)
+    except (TypeError, ValueError):
+        raise checks.refuse(name, "must be an Aabb, four numbers, a list of those or an array", value) from None
+    if numbers.shape == (4,):
+        return np.array([tuple(Aabb(*given))]), True
+    boxes = checks.array(name, numbers, (-1, 4))
+    if (boxes[:, 0] > boxes[:, 2]).any() or (boxes[:, 1] > boxes[:, 3]).any():
+        raise checks.refuse(name, "must have left <= right and bottom <= top", value)
+    return boxes, False
+
+
+def _sizes(name: str, value: Any) -> float | NDArray[np.float64]:
+    """The positive number of an argument, or its numbers as an array of shape (n,)."""
+    if isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, str):
+        return checks.array(name, value, (-1,), above=0.0)
+    return checks.positive(name, value)
+
+
+def _check_lengths(arguments: dict[str, Any]) -> None:
+    """Nothing; raises where two of the arguments are arrays of different lengths."""
+    lengths = {name: len(value) for name, value in arguments.items() if isinstance(value, np.ndarray)}
+    if len(set(lengths.values())) > 1:
+        (first, count), *others = lengths.items()
+        name, other = next(item for item in others if item[1] != count)
+        raise InvalidArgument(f"{name} must be one or as many as {first}, {count}, not {other}")
+
+
+def _check_distances(start: Any, end: Any, target: object) -> None:
+    """Nothing; raises where a target is infinitely far away."""
+    if isinstance(start, tuple) and isinstance(end, tuple):
+        near = isfinite(end[0] - start[0]) and isfinite(end[1] - start[1])
+    else:
+        with np.errstate(over="ignore"):
+            near = bool(np.isfinite(np.subtract(end, start)).all())
+    if not near:
+        raise checks.refuse("target", "must not be infinitely far away", target)
+
+
+def _queries(
+    masks: Masks, start: Any, end: Any = (0.0, 0.0), radius: float | NDArray[np.float64] = 0.0
+) -> tuple[Rows, bool]:
+    """The queries that parts make, each one for all or an array, and whether they make one."""
+    given = [part for part in (start, end, radius) if isinstance(part, np.ndarray)]
+    if not given:
+        return np.array([(*start, *end, radius, *masks)], QUERY), True
+    queries = np.zeros(len(given[0]), QUERY)
+    queries["x"], queries["y"] = np.transpose(start)
+    queries["to_x"], queries["to_y"] = np.transpose(end)
+    queries["radius"] = radius
+    queries["layer"], queries["collides_with"], queries["sensors"] = masks
+    return queries, False
+
+
+def _masks(layer: object, collides_with: object, sensors: object) -> Masks:
+    """What a query sees, checked."""
+    seen = checks.layers("layer", layer), checks.layers("collides_with", collides_with)
+    return *seen, checks.flag("sensors", sensors)

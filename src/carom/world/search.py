@@ -1,0 +1,67 @@
+"""The grids that a world's queries look through, made when they are worth it and kept while they are right."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from carom.constants import SEARCH_CELLS_PER_ITEM, SEARCH_MARKS_PER_ITEM, SEARCH_SCANS
+from carom.rows import STATIC, Rows
+from carom.world import compiled
+from carom.world.answers import SEARCH_GRID
+from carom.world.tables import Room
+
+#: The width of the one cell of a grid that is a plain list: beyond everything.
+WHOLE = 1e300
+
+Grid = tuple[Rows, Rows, Rows]
+
+
+def list_of(items: Rows) -> Grid:
+    """A grid of one cell, which holds all items."""
+    grid = np.zeros(1, SEARCH_GRID)
+    grid[0] = (0.0, 0.0, WHOLE, 1, 1)
+    return grid, np.array([0, len(items)], "i4"), items
+
+
+def grid_of(room: Room, items: Rows) -> Grid:
+    """A grid of many cells, which hold the items that come into each."""
+    grid = np.zeros(1, SEARCH_GRID)
+    starts = np.zeros((3 * int(SEARCH_CELLS_PER_ITEM) + 2) * len(items) + 2, "i4")
+    members = np.zeros((int(SEARCH_MARKS_PER_ITEM) + 1) * len(items), "i4")
+    compiled.load("search_grid.build_search_grid")(grid, room.shapes.used, room.balls.used, items, starts, members)
+    return grid, starts, members
+
+
+class Search:
+    """Grids of the static shapes, which stay where they are, and of all else, which is looked at anew in every call.
+
+    A world drops it when shapes or balls come or go, and when a static shape may have changed.
+    """
+
+    def __init__(self, room: Room) -> None:
+        self._room = room
+        self._tables = room.shapes.rows, room.balls.rows
+        still = room.shapes.used["motion"] == STATIC
+        balls = np.arange(-1, -1 - room.balls.count, -1, dtype="i4")
+        self._still = list_of(np.flatnonzero(still).astype("i4"))
+        self._lively = list_of(np.append(np.flatnonzero(~still).astype("i4"), balls))
+        self._scans = 0
+        self._gridded = not still.any()
+
+    def is_of(self, room: Room) -> bool:
+        """Whether the room still has the tables that it had, and no others that were restored."""
+        return self._tables[0] is room.shapes.rows and self._tables[1] is room.balls.rows
+
+    def grids(self, queries: int) -> tuple[Rows, ...]:
+        """The two grids, as the kernels take them, for a number of queries."""
+        self._scans += queries
+        if self._scans > SEARCH_SCANS and not self._gridded:
+            self._still = grid_of(self._room, self._still[2])
+            self._gridded = True
+        if queries > SEARCH_SCANS and len(self._lively[2]):
+            return (*self._still, *grid_of(self._room, self._lively[2]))
+        return (*self._still, *self._lively)
+
+    def stamps(self) -> Rows:
+        """A 0 for every shape and ball."""
+        return np.zeros(self._room.shapes.count + self._room.balls.count, "i4")
