@@ -131,6 +131,14 @@ LASTING_PART = 1.0 / 64.0
 #: shape by less than 1e-3 of its radius in between as long as it turns by less than a full turn a substep.
 SLIDE_PART = 1.0 / 48.0
 
+#: Radians: a ball that slides along a bent or turning shape is put back onto it at least so often. That is all within
+#: a full turn a substep; without it, a ball is carried away in substeps of many turns.
+SLIDE_TURN = TWO_PI * SLIDE_PART
+
+#: Fraction of a ball's radius: at elasticities of 1 and more rebounds never end, and a contact lasts only where they
+#: are lower than this and would come more often than `max_impacts` allows. Larger, and energy is lost that is seen.
+ELASTIC_LIFT = 1e-12
+
 #: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
 LIFT = 1e-3
 

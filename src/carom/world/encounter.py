@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from carom.constants import LASTING_PART, SEPARATION_SLACK, SQUEEZE_GAP
+from math import sqrt
+
+from carom.constants import ELASTIC_LIFT, LASTING_PART, SEPARATION_SLACK, SQUEEZE_GAP
 from carom.geometry.response import exchanged, reflected, reflected_total
 from carom.geometry.vector import dot, length
 from carom.rows import GATE, Row, Rows
@@ -110,10 +112,10 @@ def bounce(
     if press > 0.0:
         substep = float(state["dt"]) / float(state["substeps"])
         u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
-        # At e >= 1 rebounds never end; a contact lasts where they would come more often than `max_impacts` allows.
         slowest = lasting_speed(press, substep)
         if elasticity >= 1.0:
-            slowest = 0.5 * press * substep / float(state["max_impacts"])
+            often = 0.5 * press * substep / float(state["max_impacts"])
+            slowest = min(often, sqrt(2.0 * press * ELASTIC_LIFT * radius))
         if u <= slowest:
             ball["vx"] -= u * nx
             ball["vy"] -= u * ny

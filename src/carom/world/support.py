@@ -7,11 +7,11 @@ substep. On shapes at rest its speed follows from its energy, so it changes by g
 
 from __future__ import annotations
 
-from math import fabs, sqrt
+from math import fabs, inf, sqrt
 
-from carom.constants import END_SLOP, LASTING_PART, LIFT, SLIDE_PART
+from carom.constants import END_SLOP, LASTING_PART, LIFT, SLIDE_PART, SLIDE_TURN
 from carom.geometry.roots import falling_time
-from carom.geometry.vector import cross, dot
+from carom.geometry.vector import cross, dot, length
 from carom.rows import GATE, NO_RELATION, SEGMENT, Row, Rows
 from carom.world.flight import fall_freely
 from carom.world.layout import FLYING, LASTING
@@ -187,10 +187,20 @@ def rest_on_two(ball: Row, flight: Row, first: Row, second: Row) -> None:
     flight["energy"] = 0.5 * (vx * vx + vy * vy) - dot(gx, gy, float(ball["x"]), float(ball["y"]))
 
 
+def turn_time(ball: Row, shape: Row) -> float:
+    """The time in which a ball that slides along a shape, and the shape, turn by `SLIDE_TURN`; may be infinite."""
+    vx, vy = float(ball["vx"]) - float(shape["velocity_x"]), float(ball["vy"]) - float(shape["velocity_y"])
+    turns = fabs(float(shape["spin"])) if is_moving(shape) else 0.0
+    away = length(float(ball["x"]) - float(shape["cx"]), float(ball["y"]) - float(shape["cy"]))
+    if shape["kind"] != SEGMENT and shape["kind"] != GATE and away > 0.0:
+        turns += length(vx, vy) / away
+    return SLIDE_TURN / turns if turns > 0.0 else inf
+
+
 def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[float, bool]:
     """How long a ball may go on along a shape that holds it, and whether it comes to the shape's end then."""
     if shape["kind"] != SEGMENT or is_moving(shape):
-        return SLIDE_PART * duration, False
+        return min(SLIDE_PART * duration, turn_time(ball, shape)), False
     tx, ty, slop = float(shape["tx"]), float(shape["ty"]), 2.0 * END_SLOP * float(ball["radius"])
     along = dot(float(ball["x"]) - float(shape["ax"]), float(ball["y"]) - float(shape["ay"]), tx, ty)
     rate = dot(float(ball["vx"]), float(ball["vy"]), tx, ty)
