@@ -151,6 +151,32 @@ def test_rows_of_misses_hold_ball_and_start_alone() -> None:
     assert not any(np.any(row[name]) for name in row.dtype.names if name not in ("ball", "start"))
 
 
+def test_a_line_foretells_the_first_hit_of_the_continuous_mode() -> None:
+    rng = np.random.default_rng(5)
+    shots = 0
+    for angle in rng.uniform(0, 2 * pi, 30):
+        world = World(detection="continuous", rest_speed=0.0)
+        for k, (x, y) in enumerate(rng.uniform(-10, 10, (8, 2))):
+            world.add(Segment((3 * x, 3 * y), (3 * x + 9 * cos(k), 3 * y + 9 * sin(k)), elasticity=0.8))
+            world.add(Arc((-2 * y, 3 * x), 1 + 0.3 * k, k, k + 3, elasticity=0.7))
+            world.add(Point((-3 * x, 2 * y), elasticity=0.9))
+            # All but the cue ball let each other be, wherever they overlap.
+            others = {} if k == 3 else {"layer": 2, "collides_with": 1}
+            world.add(Ball((x, y), 0.1 + 0.02 * k, mass=1 + k, elasticity=0.9, **others))
+        world.add(Circle((0, 0), 45))
+        cue = world.balls[3]
+        if any(cue in (contact.ball, contact.shape) for contact in world.overlaps()):
+            continue
+        shots += 1
+        line = world.aim(cue, (3 * cos(angle), 3 * sin(angle)))
+        cue.velocity = (3 * cos(angle), 3 * sin(angle))
+        hits = world.run(line.distance / 3 + 1e-9, dt=line.distance / 3 + 1e-9)
+        assert next(hit.time for hit in hits if cue in (hit.ball, hit.shape)) == pytest.approx(line.distance / 3)
+        assert cue.position == pytest.approx(line.ghost)
+        assert cue.velocity == pytest.approx(np.multiply(line.direction, line.speed))
+    assert shots > 10
+
+
 def test_what_follows_is_what_a_contact_there_leads_to() -> None:
     rng = np.random.default_rng(4)
     world = World()
