@@ -123,9 +123,16 @@ FEW_BALLS = 6
 #: still does. A way there and back again within it goes unseen; smaller costs events.
 LOOK_TRAVEL = 0.25
 
-#: Fraction of a substep. Where e < 1 and rebounds come closer together than this, a contact lasts; balls that rest on
-#: balls meet again after it. Smaller, and balls bounce more often before they come to rest.
+#: Fraction of a substep. Where e < 1 and rebounds come closer together than this, a contact lasts. Smaller, and balls
+#: bounce more often before they come to rest.
 LASTING_PART = 1.0 / 64.0
+
+#: Fraction of a substep: balls that rest on balls meet again whenever such a part of it ends. Smaller, and piles are
+#: stiffer and cost more.
+PATIENCE_PART = 1.0 / 16.0
+
+#: Fraction of such a part: a time less than this before its end is at its end.
+TICK_MARGIN = 1e-6
 
 #: Fraction of a substep after which a ball that slides along a bent or moving shape is put back onto it. It leaves the
 #: shape by less than 1e-3 of its radius in between as long as it turns by less than a full turn a substep.
@@ -146,7 +153,7 @@ LIFT = 1e-3
 #: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
 SQUEEZE_GAP = 0.05
 
-#: Fraction of a ball's radius: balls that overlap by less when a substep begins do so from rounding, and are left alone.
+#: Fraction of a ball's radius: balls that overlap by less as a substep begins do so from rounding, and are left so.
 SEPARATION_SLACK = 1e-9
 
 #: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.

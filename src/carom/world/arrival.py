@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from carom.constants import END_DEPTH_CONTINUOUS, SEPARATION_SLACK
+from carom.constants import END_DEPTH_CONTINUOUS, ROOT_STEPS, SEPARATION_SLACK
 from carom.geometry.impact import impact_ball
 from carom.rows import CIRCLE, NO_RELATION, POINT, Row, Rows
 from carom.world.bins import file_ball, leash, unfile_ball
 from carom.world.flight import fly_to, place_at
 from carom.world.layout import (
+    ENTER,
     EXIT,
     FLYING,
     INSIDE_BALL,
@@ -19,6 +20,7 @@ from carom.world.narrow import may_collide
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation, drop_relation, find_relation
 from carom.world.shape_index import FIXED, distance_to_shape, locate
+from carom.world.support import keep_energy
 from carom.world.surfaces import (
     gap_to_shape,
     impact_at_rest,
@@ -33,6 +35,19 @@ def time_of(state: Row, time: float) -> float:
     substep = float(state["dt"]) / float(state["substeps"])
     within = float(state["substep"]) * substep + float(state["span_begin"]) + time
     return float(state["time"]) + min(within, float(state["dt"]))
+
+
+def note_late(state: Row, hits: Rows, time: float, kind: int, ball: int, shape: int) -> None:
+    """Write what happened at a time of the span that may be past into the step's hits, where it belongs in time.
+
+    There must be room for a hit.
+    """
+    when = time_of(state, time)
+    place = int(state["hits"])
+    while place > state["step_hits"] and hits[place - 1]["time"] > when:
+        hits[place] = hits[place - 1]
+        place -= 1
+    write_hit(state, hits[place], when, kind, ball, shape)
 
 
 def arrive(
@@ -52,7 +67,7 @@ def arrive(
 ) -> None:
     """Move a ball to where it is at a time of the span, file it anew if need be, and bring its relations up to date."""
     ball, flight = balls[i], flights[i]
-    began = float(flight["time"])
+    began, from_x, from_y = float(flight["time"]), float(ball["x"]), float(ball["y"])
     fly_to(ball, flight, time)
     if state["binned"] != 0:
         dx, dy = float(ball["x"]) - float(flight["bin_x"]), float(ball["y"]) - float(flight["bin_y"])
@@ -61,13 +76,15 @@ def arrive(
             unfile_ball(flights, heads, i)
             file_ball(state, balls, flights, heads, i)
     if ball["relation"] != NO_RELATION:
+        keep_energy(state, ball, flight, shapes, relations)
         end_relations(state, balls, shapes, flights, hits, relations, i, time - began)
     if time > began and flight["kind"] == FLYING:
         cell = locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]))
         if cell >= 0:
             begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
-            note_passing(state, ball, flight, i, shapes, members, begin, end, relations)
-        note_passing(state, ball, flight, i, shapes, order, int(state["fixed"]), int(state["shapes"]), relations)
+            note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
+        begin, end = int(state["fixed"]), int(state["shapes"])
+        note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
 
 
 def note_passing(
@@ -79,17 +96,22 @@ def note_passing(
     members: Rows,
     begin: int,
     end: int,
+    hits: Rows,
     relations: Rows,
+    began: float,
+    from_x: float,
+    from_y: float,
 ) -> None:
-    """Let a ball pass the shapes with ends that it overlaps without an impact: it came in past an end.
+    """Let a ball pass the shapes that it overlaps and came into past an end since it was at `from` at the time `began`.
 
-    There must be room for a relation with each.
+    One that overlaps a shape otherwise was pushed onto it. There must be room for a relation and a hit with
+    each.
     """
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     for k in range(begin, end):
         row = int(members[k])
         shape = shapes[row]
-        if shape["kind"] == POINT or shape["kind"] == CIRCLE or shape["sensor"] != 0 or ball["sensor"] != 0:
+        if shape["kind"] == POINT or shape["kind"] == CIRCLE:
             continue
         if not is_moving(shape) and (
             x + radius < shape["left"]
@@ -107,8 +129,26 @@ def note_passing(
             and may_collide(ball, shape)
             and not find_relation(relations, ball, PASSING, row)
             and not find_relation(relations, ball, LASTING, row)
+            and not find_relation(relations, ball, INSIDE_SHAPE, row)
+            and gap_to_shape(shape, began, from_x, from_y, radius, 0.0, 0.0) is None
         ):
-            add_relation(state, relations, ball, i, PASSING, row)
+            sensing = shape["sensor"] != 0 or ball["sensor"] != 0
+            add_relation(state, relations, ball, i, INSIDE_SHAPE if sensing else PASSING, row)
+            if sensing:
+                time = time_of_entry(shape, ball, flight, began)
+                note_late(state, hits, time, ENTER, int(ball["id"]), int(shape["id"]))
+
+
+def time_of_entry(shape: Row, ball: Row, flight: Row, began: float) -> float:
+    """The time since `began` at which a ball came past an end onto a sensor that it is on."""
+    out, within = began, float(flight["time"])
+    for _ in range(ROOT_STEPS):
+        middle = 0.5 * (out + within)
+        if is_on_sensor(shape, ball, flight, middle):
+            within = middle
+        else:
+            out = middle
+    return within
 
 
 def end_relations(
@@ -130,14 +170,10 @@ def end_relations(
             continue
         if kind == INSIDE_SHAPE:
             ago = time_since_shape(shapes[other], ball, flight, way)
-            write_hit(
-                state, hits[state["hits"]], time_of(state, now - ago), EXIT, int(ball["id"]), int(shapes[other]["id"])
-            )
+            note_late(state, hits, now - ago, EXIT, int(ball["id"]), int(shapes[other]["id"]))
         elif kind == INSIDE_BALL:
             ago = time_since_ball(balls[other], flights[other], ball, flight, way)
-            write_hit(
-                state, hits[state["hits"]], time_of(state, now - ago), EXIT, int(ball["id"]), int(balls[other]["id"])
-            )
+            note_late(state, hits, now - ago, EXIT, int(ball["id"]), int(balls[other]["id"]))
         place = drop_relation(state, relations, ball, place, before)
 
 
@@ -165,13 +201,32 @@ def time_since_shape(shape: Row, ball: Row, flight: Row, way: float) -> float:
     """How long ago, within `way` seconds, a ball left a shape."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     vx, vy, ax, ay = -float(ball["vx"]), -float(ball["vy"]), float(flight["ax"]), float(flight["ay"])
+    now = float(flight["time"])
     if is_moving(shape):
-        ago = impact_in_motion(shape, float(flight["time"]), x, y, radius, vx, vy, ax, ay, way, -1.0)
+        ago = impact_in_motion(shape, now, x, y, radius, vx, vy, ax, ay, way, -1.0)
     else:
         ago = impact_at_rest(shape, x, y, radius, vx, vy, ax, ay, way)
-    if ago is None:
-        return 0.0
-    return 0.0 + ago
+    if ago is not None:
+        return 0.0 + ago
+    # It left past an end, or touched just so when it was looked at last.
+    out, within = 0.0, way
+    for _ in range(ROOT_STEPS):
+        middle = 0.5 * (out + within)
+        if is_on_sensor(shape, ball, flight, now - middle):
+            within = middle
+        else:
+            out = middle
+    return within
+
+
+def is_on_sensor(shape: Row, ball: Row, flight: Row, time: float) -> bool:
+    """True if a ball overlaps a shape, beside which its centre is, at a time of its flight."""
+    x, y, _vx, _vy = place_at(ball, flight, time)
+    found = gap_to_shape(shape, time, x, y, float(ball["radius"]), 0.0, 0.0)
+    if found is None:
+        return False
+    gap, _nx, _ny = found
+    return gap <= 0.0
 
 
 def time_since_ball(other: Row, partner: Row, ball: Row, flight: Row, way: float) -> float:
@@ -182,5 +237,5 @@ def time_since_ball(other: Row, partner: Row, ball: Row, flight: Row, way: float
     r1, r2 = float(other["radius"]), float(ball["radius"])
     ago = impact_ball(x1, y1, -vx1, -vy1, r1, x2, y2, -vx2, -vy2, r2, ax, ay, way)
     if ago is None:
-        return 0.0
+        return way
     return 0.0 + ago

@@ -141,9 +141,10 @@ def begin_span(
     if not rebuild_index(state, balls, shapes, order, index, cells, members):
         return NEEDS_PAIRS
     state["span"] = span_length(state, shapes, order, substep_length(state) - float(state["span_begin"]))
+    # Balls that a shape wakes on its way are to fly.
+    set_shapes_going(state, balls, shapes, order)
     if not begin_flights(state, balls, flights, heads):
         return NEEDS_PAIRS
-    set_shapes_going(state, balls, shapes, order)
     enter_stage(state, FORESEE)
     return DONE
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import floor
 
-from carom.constants import ELASTIC_LIFT, LASTING_PART, SEPARATION_SLACK, SQUEEZE_GAP
+from carom.constants import PATIENCE_PART, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
 from carom.geometry.response import exchanged, reflected, reflected_total
-from carom.geometry.vector import dot, length
+from carom.geometry.vector import dot, larger, length
 from carom.rows import GATE, Row, Rows
 from carom.shapes.contact import gate_opens
 from carom.world.arrival import time_of
@@ -17,7 +17,7 @@ from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation
 from carom.world.shape_index import FIXED, locate
-from carom.world.support import lasting_speed, pressure
+from carom.world.support import slow_rebound
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
 
 
@@ -90,7 +90,11 @@ def bounce(
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
     if s < 0.0:
-        if elasticity < 1.0 and kick == 0.0 and -s < rest_speed:
+        if (
+            elasticity < 1.0
+            and kick == 0.0
+            and -s < larger(rest_speed, slow_rebound(state, shape, ball, flight, nx, ny, elasticity))
+        ):
             ball["vx"] = vx - s * nx
             ball["vy"] = vy - s * ny
         else:
@@ -108,18 +112,12 @@ def bounce(
             )
     if kick > 0.0:
         return
-    press = pressure(state, shape, time, ball, nx, ny)
-    if press > 0.0:
-        substep = float(state["dt"]) / float(state["substeps"])
-        u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
-        slowest = lasting_speed(press, substep)
-        if elasticity >= 1.0:
-            often = 0.5 * press * substep / float(state["max_impacts"])
-            slowest = min(often, sqrt(2.0 * press * ELASTIC_LIFT * radius))
-        if u <= slowest:
-            ball["vx"] -= u * nx
-            ball["vy"] -= u * ny
-            add_relation(state, relations, ball, i, LASTING, row)
+    slowest = slow_rebound(state, shape, ball, flight, nx, ny, elasticity)
+    u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
+    if slowest > 0.0 and u <= slowest:
+        ball["vx"] -= u * nx
+        ball["vy"] -= u * ny
+        add_relation(state, relations, ball, i, LASTING, row)
 
 
 def is_squeezed(
@@ -134,7 +132,9 @@ def is_squeezed(
 ) -> bool:
     """True if a ball that a moving shape pushes along its normal has next to no room before a static shape."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    cell = locate(state, index[FIXED], cells, x, y)
+    # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
+    ahead = 2.0 * SQUEEZE_GAP * radius
+    cell = locate(state, index[FIXED], cells, x + ahead * nx, y + ahead * ny)
     if cell < 0:
         return False
     for k in range(int(cells[cell]["begin"]), int(cells[cell]["end"])):
@@ -186,16 +186,17 @@ def impact_of_balls(
     if pushed:
         part_balls(first, flights[i], second, flights[j], nx, ny, setback)
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
-    if u2 - u1 >= 0.0:
-        return pushed
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
+    if u2 - u1 >= 0.0:
+        be_patient(state, flights, i, j, now)
+        return pushed
     resting = elasticity < 1.0 and u1 - u2 < rest_speed
     gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
     if resting:
-        until = now + LASTING_PART * float(state["dt"]) / float(state["substeps"])
-        flights[i]["patience"] = until
-        flights[j]["patience"] = until
+        be_patient(state, flights, i, j, now)
         return pushed
+    flights[i]["patience"] = 0.0
+    flights[j]["patience"] = 0.0
     let_fly(state, first, flights[i])
     let_fly(state, second, flights[j])
     limit_speed(state, first)
@@ -204,6 +205,17 @@ def impact_of_balls(
     speed = length(wx - vx, wy - vy)
     record_hit(state, hits[state["hits"]], time_of(state, now), second, first, px, py, nx, ny, setback, speed, gain)
     return pushed
+
+
+def be_patient(state: Row, flights: Rows, i: int, j: int, now: float) -> None:
+    """Let two balls that rest on each other, or are pressed together, meet again after a part of the substep only.
+
+    All wait for the same ticks, so one that meets another meanwhile does not put off the first.
+    """
+    part = PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
+    until = (floor(now / part + TICK_MARGIN) + 1.0) * part
+    flights[i]["patience"] = until
+    flights[j]["patience"] = until
 
 
 def velocity_in_flight(ball: Row, flight: Row) -> tuple[float, float]:

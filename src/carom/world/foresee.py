@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import fabs, sqrt
 
 from carom.constants import BIN_REACH, FEW_SHAPES, FLIGHT_SLICES, LOOK_TRAVEL
 from carom.geometry.impact import impact_ball
-from carom.rows import NO_RELATION, Row, Rows
+from carom.rows import CIRCLE, NO_RELATION, POINT, Row, Rows
 from carom.world.bins import leash
 from carom.world.flight import path_box, place_at, top_speed
 from carom.world.grid import cell_of, inverse_side_of
@@ -211,6 +211,37 @@ def foresee_members(
             )  # fmt: skip
             if time is not None:
                 consider_shape(flight, shapes, 0.0 + time, row)
+            if is_entered_past_ends(ball, shape):
+                foresee_entry(flight, shape, ball, begin)
+
+
+def is_entered_past_ends(ball: Row, shape: Row) -> bool:
+    """True if a ball may come onto a shape past one of its ends, and it matters when: for sensors with ends."""
+    if shape["sensor"] == 0 and ball["sensor"] == 0:
+        return False
+    return bool(shape["kind"] != POINT and shape["kind"] != CIRCLE)
+
+
+def foresee_entry(flight: Row, shape: Row, ball: Row, begin: float) -> None:
+    """Foresee a look around when a ball near a sensor with ends has gone a part of its radius, as seen from there.
+
+    Not before it comes near it, at a time `begin` from now.
+    """
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    speed = sqrt(vx * vx + vy * vy)
+    if is_moving(shape):
+        speed += top_surface_speed(shape)
+    if speed > 0.0:
+        consider(flight, begin + LOOK_TRAVEL * float(ball["radius"]) / speed, LOOK, NO_BALL)
+
+
+def top_surface_speed(shape: Row) -> float:
+    """The most that any place of a moving shape's box moves at."""
+    ux, uy = float(shape["velocity_x"]), float(shape["velocity_y"])
+    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
+    dx = max(px - float(shape["left"]), float(shape["right"]) - px)
+    dy = max(py - float(shape["bottom"]), float(shape["top"]) - py)
+    return sqrt(ux * ux + uy * uy) + fabs(float(shape["spin"])) * sqrt(dx * dx + dy * dy)
 
 
 def consider_shape(flight: Row, shapes: Rows, delay: float, row: int) -> None:
@@ -262,6 +293,8 @@ def foresee_kinematic(state: Row, ball: Row, flight: Row, shapes: Rows, order: R
             )  # fmt: skip
             if time is not None:
                 consider_shape(flight, shapes, 0.0 + time, row)
+            if is_entered_past_ends(ball, shape):
+                foresee_entry(flight, shape, ball, 0.0)
 
 
 def foresee_balls(

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import END_SLOP, LASTING_PART, LIFT, SLIDE_PART, SLIDE_TURN
+from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, SLIDE_PART, SLIDE_TURN
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
-from carom.rows import GATE, NO_RELATION, SEGMENT, Row, Rows
+from carom.rows import ARC, GATE, NO_RELATION, SEGMENT, Row, Rows
 from carom.world.flight import fall_freely
 from carom.world.layout import FLYING, LASTING
 from carom.world.narrow import may_collide
@@ -61,6 +61,50 @@ def pressure(state: Row, shape: Row, time: float, ball: Row, nx: float, ny: floa
 def lasting_speed(press: float, duration: float) -> float:
     """The speed of a rebound that ends within a `LASTING_PART` of a substep of length `duration`."""
     return 0.5 * press * LASTING_PART * duration
+
+
+def slow_rebound(state: Row, shape: Row, ball: Row, flight: Row, nx: float, ny: float, elasticity: float) -> float:
+    """The speed of a rebound so slow that the contact lasts; 0 where nothing presses the touching ball on.
+
+    At elasticities of 1 and more rebounds never end, and it is the speed of those that come more often than
+    `max_impacts` allows and are lower than `ELASTIC_LIFT`.
+    """
+    press = pressure(state, shape, float(flight["time"]), ball, nx, ny)
+    if press <= 0.0:
+        return 0.0
+    substep = float(state["dt"]) / float(state["substeps"])
+    if elasticity < 1.0:
+        return lasting_speed(press, substep)
+    often = 0.5 * press * substep / float(state["max_impacts"])
+    return min(often, sqrt(2.0 * press * ELASTIC_LIFT * float(ball["radius"])))
+
+
+def keep_energy(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows) -> None:
+    """Give a ball that slides along one bent shape at rest the speed that its energy leaves it where it is.
+
+    Its acceleration along the shape's normal has done work since it was put onto the shape.
+    """
+    held = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == LASTING:
+            if held != NO_RELATION:
+                return
+            held = place
+        place = int(relations[place]["next"])
+    if held == NO_RELATION or flight["kind"] != FLYING:
+        return
+    shape = shapes[relations[held]["other"]]
+    if shape["kind"] == SEGMENT or shape["kind"] == GATE or is_moving(shape):
+        return
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    squared = 2.0 * (float(flight["energy"]) + dot(gx, gy, float(ball["x"]), float(ball["y"])))
+    speed = sqrt(vx * vx + vy * vy)
+    if squared > 0.0 and speed > 0.0:
+        share = sqrt(squared) / speed
+        ball["vx"] = vx * share
+        ball["vy"] = vy * share
 
 
 def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, duration: float, changed: bool) -> None:
@@ -199,8 +243,10 @@ def turn_time(ball: Row, shape: Row) -> float:
 
 def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[float, bool]:
     """How long a ball may go on along a shape that holds it, and whether it comes to the shape's end then."""
-    if shape["kind"] != SEGMENT or is_moving(shape):
+    if is_moving(shape) or (shape["kind"] != SEGMENT and shape["kind"] != ARC):
         return min(SLIDE_PART * duration, turn_time(ball, shape)), False
+    if shape["kind"] == ARC:
+        return slide_time_on_arc(ball, flight, shape, min(SLIDE_PART * duration, turn_time(ball, shape)))
     tx, ty, slop = float(shape["tx"]), float(shape["ty"]), 2.0 * END_SLOP * float(ball["radius"])
     along = dot(float(ball["x"]) - float(shape["ax"]), float(ball["y"]) - float(shape["ay"]), tx, ty)
     rate = dot(float(ball["vx"]), float(ball["vy"]), tx, ty)
@@ -215,4 +261,26 @@ def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[flo
     if ahead is not None and ahead < time:
         time = 0.0 + ahead
         leaves = True
+    return time, leaves
+
+
+def slide_time_on_arc(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[float, bool]:
+    """How long a ball may go on along an arc at rest, `duration` at most, and whether it comes to an end of it then."""
+    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    dx, dy, slop = float(ball["x"]) - cx, float(ball["y"]) - cy, 2.0 * END_SLOP * float(ball["radius"])
+    vx, vy, ax, ay = float(ball["vx"]), float(ball["vy"]), float(flight["ax"]), float(flight["ay"])
+    time = duration
+    leaves = False
+    for end in range(2):
+        # The unit vector to an end, and the distance from its ray's line, which is above 0 on the arc.
+        ex, ey = (float(shape["ax"]) - cx) / r, (float(shape["ay"]) - cy) / r
+        nx, ny = -ey, ex
+        if end == 1:
+            ex, ey = (float(shape["bx"]) - cx) / r, (float(shape["by"]) - cy) / r
+            nx, ny = ey, -ex
+        if dot(ex, ey, dx, dy) > 0.0:
+            crossing = falling_time(dot(nx, ny, dx, dy) + slop, dot(nx, ny, vx, vy), dot(nx, ny, ax, ay))
+            if crossing is not None and crossing < time:
+                time = 0.0 + crossing
+                leaves = True
     return time, leaves
