@@ -18,7 +18,7 @@ LONGEST_VALUE = 1000
 
 
 def refuse(name: str, must: str, value: object) -> InvalidArgument:
-    """The error to raise when argument `name` with `value` does not do what it `must`; values are shown up to a page."""
+    """The error to raise when argument `name` with `value` does not do what it `must`; shows up to a page of it."""
     shown = repr(value)
     if len(shown) > LONGEST_VALUE:
         shown = f"{shown[:LONGEST_VALUE]} ..."
