@@ -87,3 +87,16 @@ def test_energy_and_momentum_of_many_balls() -> None:
 def energy(world: carom.World) -> float:
     """Twice the kinetic energy of all balls."""
     return float((world.balls.mass * (world.balls.velocity**2).sum(axis=1)).sum())
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("slope", [1e-2, 1e-3, 1e-4])
+def test_flat_bounces_stay_bounces_in_long_steps(slope: float) -> None:
+    # Rebounds a thousandth of a second apart, in a step of 50 seconds, are no contact that lasts.
+    world = sent([carom.Circle((0.0, 0.0), 2.0)], (0.0, -1.9), slope, 0.1)
+    before = momentum(world, (0.0, 0.0))
+    hits = world.step(50.0 * slope / 1e-3)
+    # A chord takes 2·1.9·sin(slope) seconds.
+    assert len(hits) == pytest.approx(50.0 * slope / 1e-3 / (3.8 * sin(slope)), abs=2.0)
+    assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
+    assert momentum(world, (0.0, 0.0)) == pytest.approx(before, rel=DRIFT)

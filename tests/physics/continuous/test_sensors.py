@@ -1,0 +1,144 @@
+"""Sensors in the continuous mode: a ball that crosses one within a step gives ENTER and EXIT, each at its time."""
+
+from copy import deepcopy
+from math import asin, pi, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+
+from carom import Arc, Ball, Circle, HitKind, Point, Segment, World
+from carom.shapes.shape import Shape
+
+SPEED, RADIUS, WIDE, OFF = 40.0, 0.25, 2.0, 0.1
+OUTER, INNER = sqrt((WIDE + RADIUS) ** 2 - OFF**2), sqrt((WIDE - RADIUS) ** 2 - OFF**2)
+
+
+def crossing(sensor: Shape | Ball, ball: Ball, substeps: int, **settings: Any) -> list[tuple[HitKind, float]]:
+    """The kinds and times of the hits of one second."""
+    world = World(**({"detection": "continuous", "substeps": substeps} | settings))
+    world.add(sensor)
+    world.add(ball)
+    hits = [(hit.kind, hit.time) for hit in world.step(1.0)]
+    assert world.statistics.stalled == 0
+    return hits
+
+
+def alternating(times: list[float]) -> list[tuple[HitKind, Any]]:
+    """In, out, in, out at the times."""
+    kinds = (HitKind.ENTER, HitKind.EXIT)
+    return [(kinds[k % 2], pytest.approx(time, abs=1e-9)) for k, time in enumerate(times)]
+
+
+def past(*places: float) -> list[float]:
+    """When a ball from x = -10 comes to places."""
+    return [(10 + x) / SPEED for x in places]
+
+
+CROSSINGS: dict[str, tuple[Shape | Ball, float, list[float]]] = {
+    "segment": (Segment((0, -2), (0, 2), sensor=True), OFF, past(-RADIUS, RADIUS)),
+    "segment from its end": (Segment((-3, 0), (3, 0), sensor=True), OFF, past(-3, 3)),
+    "beside a segment": (Segment((0, 0), (0, 2), sensor=True), -OFF, []),
+    "point": (Point((0, 0), sensor=True), OFF, past(-sqrt(RADIUS**2 - OFF**2), sqrt(RADIUS**2 - OFF**2))),
+    "circle": (Circle((0, 0), WIDE, sensor=True), OFF, past(-OUTER, -INNER, INNER, OUTER)),
+    "disc": (Circle((0, 0), WIDE, sensor=True, solid=True), OFF, past(-OUTER, OUTER)),
+    "arc": (Arc((0, 0), WIDE, pi - 1, pi + 1, sensor=True), OFF, past(-OUTER, -INNER)),
+    "arc from inside": (Arc((0, 0), WIDE, -1, 1, sensor=True), OFF, past(INNER, OUTER)),
+    "ball": (Ball((0, 0), WIDE, sensor=True), OFF, past(-OUTER, OUTER)),
+    "segment that travels": (
+        Segment((0, -2), (0, 2), sensor=True, motion="kinematic", velocity=(-SPEED / 4, 0)),
+        OFF,
+        [time / 1.25 for time in past(-RADIUS, RADIUS)],
+    ),
+    "disc that travels": (
+        Circle((0, 0), WIDE, sensor=True, solid=True, motion="kinematic", velocity=(-SPEED / 4, 0)),
+        OFF,
+        [time / 1.25 for time in past(-OUTER, OUTER)],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CROSSINGS)
+@pytest.mark.parametrize("substeps", [1, 4])
+def test_a_ball_crosses_a_sensor_within_a_step(name: str, substeps: int) -> None:
+    sensor, height, times = CROSSINGS[name]
+    ball = Ball((-10, height), RADIUS, velocity=(SPEED, 0))
+    assert crossing(deepcopy(sensor), ball, substeps) == alternating(times)
+
+
+def test_a_ball_that_is_a_sensor_crosses_a_wall() -> None:
+    ball = Ball((-10, 0), RADIUS, velocity=(SPEED, 0), sensor=True)
+    assert crossing(Segment((0, -2), (0, 2)), ball, 4) == alternating(past(-RADIUS, RADIUS))
+    assert ball.velocity == (SPEED, 0)
+
+
+@pytest.mark.parametrize("substeps", [1, 4])
+def test_a_ball_falls_through_a_sensor(substeps: int) -> None:
+    sensor = Segment((-2, -2), (2, -2), sensor=True)
+    times = [sqrt(2 * (2 - RADIUS) / 10), sqrt(2 * (2 + RADIUS) / 10)]
+    assert crossing(sensor, Ball((0, 0), RADIUS), substeps, gravity=(0, -10)) == alternating(times)
+
+
+@pytest.mark.parametrize("substeps", [1, 4])
+def test_sensors_turn_over_a_ball_at_rest(substeps: int) -> None:
+    turns = {"motion": "kinematic", "pivot": (0, 0), "angular_velocity": pi, "sensor": True}
+    half = asin(RADIUS / 2)
+    bar = Segment((0, 0), (4, 0), **turns)
+    assert crossing(bar, Ball((0, 2), RADIUS), substeps) == alternating([0.5 - half / pi, 0.5 + half / pi])
+    half = 2 * asin(0.5 * (RADIUS + 0.5) / 2)
+    disc = Circle((2, 0), 0.5, solid=True, **turns)
+    assert crossing(disc, Ball((0, 2), RADIUS), substeps) == alternating([0.5 - half / pi, 0.5 + half / pi])
+
+
+def test_a_bounce_within_a_sensor_neither_leaves_nor_enters_it() -> None:
+    world = World(detection="continuous")
+    world.add(Segment((0, -3), (0, 3)))
+    world.add(Circle((0, 0), 1, sensor=True, solid=True))
+    world.add(Ball((-5, 0), RADIUS, velocity=(10, 0)))
+    kinds = [(hit.kind, hit.time) for hit in world.step(1)]
+    expected = [(HitKind.ENTER, 0.375), (HitKind.BOUNCE, 0.475), (HitKind.EXIT, 0.575)]
+    assert kinds == [(kind, pytest.approx(time, abs=1e-9)) for kind, time in expected]
+
+
+def test_a_ball_that_begins_in_a_sensor_enters_at_once() -> None:
+    world = World(detection="continuous")
+    world.add(Circle((0, 0), 1, sensor=True, solid=True))
+    world.add(Ball((0, 0), RADIUS, velocity=(1, 0)))
+    assert [(hit.kind, hit.time) for hit in world.run(2)] == alternating([0.0, 1.25])
+
+
+@pytest.mark.parametrize("how", ["remove", "switch off"])
+def test_a_sensor_that_goes_is_left(how: str) -> None:
+    world = World(detection="continuous")
+    sensor = world.add(Circle((0, 0), 1, sensor=True, solid=True))
+    world.add(Ball((0, 0), RADIUS))
+    assert [hit.kind for hit in world.step(0.1)] == [HitKind.ENTER]
+    if how == "remove":
+        world.remove(sensor)
+    else:
+        sensor.can_collide = False
+    assert [hit.kind for hit in world.step(0.1)] == [HitKind.EXIT]
+    assert len(world.step(0.1)) == 0
+
+
+def test_hits_come_in_order_of_time() -> None:
+    rng = np.random.default_rng(3)
+    world = World(detection="continuous", gravity=(0, -5), substeps=2)
+    corners = [(-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0)]
+    for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
+        world.add(Segment(start, end))
+    for _ in range(6):
+        x, y = rng.uniform(-4, 4, 2)
+        world.add(Segment((x, y), (x + rng.uniform(0.5, 2), y + rng.uniform(-1, 1)), sensor=True))
+        world.add(Arc((y, x), rng.uniform(0.3, 1.5), rng.uniform(0, 6), rng.uniform(0, 6), sensor=True))
+        world.add(Circle((-x, y), rng.uniform(0.3, 1.5), sensor=True))
+    world.add_balls(rng.uniform(-4, 4, (12, 2)), velocity=rng.uniform(-20, 20, (12, 2)), radius=0.2)
+    for _ in range(40):
+        hits = np.asarray(world.step(1 / 20))
+        assert (np.diff(hits["time"]) >= 0).all()
+    # Each pair's hits with a sensor alternate.
+    hits = np.asarray(world.run(1))
+    sensing = hits[hits["kind"] != HitKind.BOUNCE]
+    for pair in {(int(h["ball"]), int(h["shape"])) for h in sensing}:
+        kinds = sensing["kind"][(sensing["ball"] == pair[0]) & (sensing["shape"] == pair[1])]
+        assert (kinds[1:] != kinds[:-1]).all()

@@ -1,0 +1,91 @@
+"""Sleep and friction in the continuous mode."""
+
+from typing import Any
+
+import pytest
+
+from carom import Ball, Segment, World
+
+
+def world_of(*shapes: Any, **settings: Any) -> World:
+    """A continuous world in which slow balls fall asleep."""
+    world = World(**({"detection": "continuous", "sleep_speed": 0.1, "sleep_time": 0.3} | settings))
+    for shape in shapes:
+        world.add(shape)
+    return world
+
+
+def asleep(world: World) -> int:
+    """How many balls sleep."""
+    return world.statistics.sleeping
+
+
+def test_a_ball_that_rests_falls_asleep_and_stays() -> None:
+    world = world_of(Segment((-5, 0), (5, 0)), gravity=(0, -10))
+    ball = world.add(Ball((0, 2), 0.5, elasticity=0.4))
+    world.run(5)
+    assert asleep(world) == 1
+    place = ball.position
+    tests = world.statistics.full_tests
+    world.run(5)
+    assert ball.position == place
+    assert world.statistics.full_tests == tests
+
+
+@pytest.mark.parametrize("spin", [1.0, 100.0])
+def test_a_flipper_wakes_what_sleeps_on_it_before_it_goes_through(spin: float) -> None:
+    flipper = Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), turn_limits=(0, 0.5))
+    world = world_of(flipper, gravity=(0, -10))
+    ball = world.add(Ball((2, 0.5), 0.5, elasticity=0.5))
+    world.run(1)
+    assert asleep(world) == 1
+    # No setter wakes it: the flipper's own way does.
+    world._room.shapes.rows[0]["angular_velocity"] = spin
+    hits = world.step(1 / 60)
+    assert asleep(world) == 0
+    assert len(hits) >= 1
+    assert ball.velocity[1] > spin
+
+
+@pytest.mark.parametrize("spin", [1.0, 100.0])
+def test_a_bar_meets_a_sleeping_ball_in_its_way(spin: float) -> None:
+    bar = Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), turn_limits=(0, 2))
+    world = world_of(bar)
+    ball = world.add(Ball((0, 2), 0.25))
+    world.run(1)
+    assert asleep(world) == 1
+    world._room.shapes.rows[0]["angular_velocity"] = spin
+    assert len(world.run(2 / spin, dt=0.1 / spin)) == 1
+    assert ball.velocity[0] < 0
+
+
+def test_a_ball_wakes_another_that_it_hits() -> None:
+    world = world_of()
+    still = world.add(Ball((0, 0), 0.5))
+    world.run(1)
+    assert asleep(world) == 1
+    world._room.balls.rows[0]["asleep"] = 1
+    runner = world.add(Ball((-20, 0), 0.5, velocity=(10, 0)))
+    assert len(world.run(3)) == 1
+    assert still.velocity == (10, 0)
+    assert runner.velocity == (0, 0)
+
+
+@pytest.mark.parametrize("substeps", [1, 4])
+def test_friction_stops_a_ball_where_it_has_used_up_its_speed(substeps: int) -> None:
+    world = world_of(friction=2.0, sleep_speed=0.0, substeps=substeps)
+    ball = world.add(Ball((0, 0), 0.5, velocity=(4, 0)))
+    world.run(1, dt=1 / 1000)
+    assert ball.velocity == pytest.approx((2, 0))
+    world.run(2, dt=1 / 1000)
+    assert ball.velocity == (0, 0)
+    assert ball.position[0] == pytest.approx(4, rel=1e-2)
+
+
+def test_friction_slows_a_ball_that_rolls_on_a_floor() -> None:
+    world = world_of(Segment((-50, 0), (50, 0)), friction=1.0, gravity=(0, -10))
+    ball = world.add(Ball((0, 0.5), 0.5, velocity=(3, 0), elasticity=0.5))
+    assert len(world.run(5)) == 0
+    assert ball.velocity == (0, 0)
+    assert ball.position[1] == pytest.approx(0.5, abs=1e-9)
+    assert asleep(world) == 1
