@@ -5,12 +5,12 @@ who passes what, who is inside which sensor, who sleeps. Beyond it are coincidin
 """
 
 from dataclasses import dataclass, field
-from math import atan2, ceil, cos, hypot, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin, sqrt
 
 Vector = tuple[float, float]
 Meeting = tuple[Vector, Vector, float]
 
-ORDER = {"point": 0, "segment": 1, "gate": 1.5, "circle": 2, "arc": 3}
+ORDER = ("point", "segment", "gate", "circle", "arc")
 END_DEPTH = 0.25
 CLOSE = 1e-9
 ROUNDING = 1e-13  # a slower approach is what is left of one that a response has ended
@@ -211,7 +211,7 @@ class TwinWorld:
                 ball.velocity = plus(ball.velocity, self.gravity, h)
         moved = [ball.place for ball in self.balls]
         order = sorted(
-            range(len(self.shapes)), key=lambda k: (self.shapes[k].kinematic, ceil(ORDER[self.shapes[k].kind] * 2), k)
+            range(len(self.shapes)), key=lambda k: (self.shapes[k].kinematic, ORDER.index(self.shapes[k].kind), k)
         )
         for iteration in range(self.iterations):
             self.found = False
@@ -236,7 +236,11 @@ class TwinWorld:
         w = minus(ball.velocity, surface)
         s = dot(w, normal)
         pulled = dot(self.gravity, normal) > 0.0
-        self.doubtful |= (abs(s) < CLOSE and pulled) or (setback < CLOSE and (s < -CLOSE or shape.kind == "gate"))
+        self.doubtful |= (
+            -CLOSE < s < -ROUNDING
+            or (abs(s) < CLOSE and pulled)
+            or (setback < CLOSE and (s < -CLOSE or shape.kind == "gate"))
+        )
         if setback <= 0:
             return
         if shape.sensor or ball.sensor:

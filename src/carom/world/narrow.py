@@ -331,5 +331,6 @@ def bounce_pair(
         return
     wake(state, first)
     wake(state, second)
-    impulse = second_mass * (new2 - u2)
+    # Not from the change of either's speed: that of a far heavier ball is lost in the rounding of its speed.
+    impulse = (1.0 + elasticity) * (first_mass / (first_mass + second_mass)) * second_mass * (u1 - u2)
     record_hit(state, hit, time, second, first, px, py, nx, ny, setback, length(wx - vx, wy - vy), impulse)

@@ -180,6 +180,15 @@ def test_a_hit_of_two_balls_is_one_whose_shape_is_the_ball_added_first() -> None
     assert hit.impulse > 0
 
 
+@pytest.mark.parametrize("masses", [(1e-9, 1e9), (1e9, 1e-9)])
+def test_the_impulse_of_a_pair_is_right_however_unequal_the_masses(masses: tuple[float, float]) -> None:
+    world = World(substeps=1)
+    for x, mass in zip((0.0, 1.9), masses, strict=True):
+        world.add(Ball((x, 0), radius=1, velocity=(0.3 - x, 0.1), mass=mass))
+    (hit,) = world.step(0.0)
+    assert hit.impulse == pytest.approx(2 * 1e-9 * 1.9, rel=1e-12)
+
+
 def test_hits_come_in_the_order_of_time() -> None:
     world = World(gravity=(0, -10))
     world.add(Circle((0, 0), 10))
