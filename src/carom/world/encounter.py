@@ -17,7 +17,7 @@ from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation
 from carom.world.shape_index import FIXED, locate
-from carom.world.support import slow_rebound
+from carom.world.support import quiet_speed, slow_rebound
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
 
 
@@ -190,7 +190,7 @@ def impact_of_balls(
     if u2 - u1 >= 0.0:
         be_patient(state, flights, i, j, now)
         return pushed
-    resting = elasticity < 1.0 and u1 - u2 < rest_speed
+    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet_speed(state))
     gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
     if resting:
         be_patient(state, flights, i, j, now)

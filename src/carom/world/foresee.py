@@ -25,7 +25,7 @@ from carom.world.narrow import may_collide
 from carom.world.queue import put_event, take_event
 from carom.world.relations import find_relation
 from carom.world.shape_index import FIXED, locate
-from carom.world.support import slide_time
+from carom.world.support import quiet_speed, slide_time
 from carom.world.surfaces import impact_at_rest, impact_in_motion, is_moving, span_box
 
 
@@ -374,12 +374,23 @@ def foresee_cells(
     state["box_tests"] += tests
 
 
+def meeting_time(state: Row, ball: Row, flight: Row, other: Row, partner: Row) -> float:
+    """From when on a ball looks for an impact with another: now, or later where both rest and hardly come nearer."""
+    time = float(flight["time"])
+    if flight["patience"] <= time or partner["patience"] <= time:
+        return time
+    x1, y1, vx1, vy1 = place_at(other, partner, time)
+    dx, dy = float(ball["x"]) - x1, float(ball["y"]) - y1
+    nearing = dx * (float(ball["vx"]) - vx1) + dy * (float(ball["vy"]) - vy1)
+    if nearing < -2.0 * quiet_speed(state) * sqrt(dx * dx + dy * dy):
+        return time
+    return min(float(flight["patience"]), float(partner["patience"]))
+
+
 def foresee_pair(state: Row, balls: Rows, flights: Rows, relations: Rows, i: int, j: int) -> None:
     """Foresee the impact of ball `i` with ball `j`."""
     ball, other, flight, partner = balls[i], balls[j], flights[i], flights[j]
-    time = float(flight["time"])
-    if flight["patience"] > time and partner["patience"] > time:
-        time = min(float(flight["patience"]), float(partner["patience"]))
+    time = meeting_time(state, ball, flight, other, partner)
     duration = float(flight["event_time"]) - time
     if duration <= 0.0:
         return

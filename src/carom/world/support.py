@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, SLIDE_PART, SLIDE_TURN
+from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, PATIENCE_PART, SLIDE_PART, SLIDE_TURN
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
 from carom.rows import ARC, GATE, NO_RELATION, SEGMENT, Row, Rows
@@ -61,6 +61,12 @@ def pressure(state: Row, shape: Row, time: float, ball: Row, nx: float, ny: floa
 def lasting_speed(press: float, duration: float) -> float:
     """The speed of a rebound that ends within a `LASTING_PART` of a substep of length `duration`."""
     return 0.5 * press * LASTING_PART * duration
+
+
+def quiet_speed(state: Row) -> float:
+    """The speed that gravity adds while balls that rest on each other wait: no slower approach is a bounce."""
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    return length(gx, gy) * PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
 
 
 def slow_rebound(state: Row, shape: Row, ball: Row, flight: Row, nx: float, ny: float, elasticity: float) -> float:
