@@ -253,7 +253,7 @@ def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[flo
         return min(SLIDE_PART * duration, turn_time(ball, shape)), False
     if shape["kind"] == ARC:
         return slide_time_on_arc(ball, flight, shape, min(SLIDE_PART * duration, turn_time(ball, shape)))
-    tx, ty, slop = float(shape["tx"]), float(shape["ty"]), 2.0 * END_SLOP * float(ball["radius"])
+    tx, ty, slop = float(shape["tx"]), float(shape["ty"]), 3.0 * END_SLOP * float(ball["radius"])
     along = dot(float(ball["x"]) - float(shape["ax"]), float(ball["y"]) - float(shape["ay"]), tx, ty)
     rate = dot(float(ball["vx"]), float(ball["vy"]), tx, ty)
     acceleration = dot(float(flight["ax"]), float(flight["ay"]), tx, ty)
@@ -273,7 +273,7 @@ def slide_time(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[flo
 def slide_time_on_arc(ball: Row, flight: Row, shape: Row, duration: float) -> tuple[float, bool]:
     """How long a ball may go on along an arc at rest, `duration` at most, and whether it comes to an end of it then."""
     cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    dx, dy, slop = float(ball["x"]) - cx, float(ball["y"]) - cy, 2.0 * END_SLOP * float(ball["radius"])
+    dx, dy, slop = float(ball["x"]) - cx, float(ball["y"]) - cy, 3.0 * END_SLOP * float(ball["radius"])
     vx, vy, ax, ay = float(ball["vx"]), float(ball["vy"]), float(flight["ax"]), float(flight["ay"])
     time = duration
     leaves = False

@@ -167,7 +167,8 @@ def gap_to_shape(
     shape: Row, time: float, x: float, y: float, radius: float, vx: float, vy: float
 ) -> tuple[float, float, float] | None:
     """What `gap_at_rest` returns, for a shape at a time of the span and a ball's own velocity; None past its ends."""
-    slop = END_SLOP * radius
+    # Twice as far as impacts are found, or one that is found just there would be lost to rounding, and found for ever.
+    slop = 2.0 * END_SLOP * radius
     if not is_moving(shape):
         return gap_at_rest(shape, x, y, radius, vx, vy, slop)
     ux, uy = velocity_of_surface(shape, time, x, y)
