@@ -149,6 +149,10 @@ ELASTIC_LIFT = 1e-12
 #: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
 LIFT = 1e-3
 
+#: Radians: a ball in lasting contact that approaches the next shape at less than this slope rolls onto it. Far above
+#: the rounding of normals at a joint (1e-12), far below any edge that is meant.
+JOINT_TURN = 1e-9
+
 #: Fraction of a ball's radius: a ball with less room than this between a moving shape and one at rest is squeezed, and
 #: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
 SQUEEZE_GAP = 0.05

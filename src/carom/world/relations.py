@@ -71,3 +71,15 @@ def drop_kind(state: Row, relations: Rows, ball: Row, kind: int, other: int) -> 
             return
         before = place
         place = int(relations[place]["next"])
+
+
+def drop_all(state: Row, relations: Rows, ball: Row, kind: int) -> None:
+    """Take out all relations of a ball of a kind."""
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind:
+            place = drop_relation(state, relations, ball, place, before)
+        else:
+            before = place
+            place = int(relations[place]["next"])
