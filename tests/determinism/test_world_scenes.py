@@ -1,0 +1,57 @@
+"""Every shipped scene goes the same way, bit for bit: compiled and interpreted, whatever the hash seed."""
+
+import hashlib
+import inspect
+
+import pytest
+
+import carom
+from tests import fresh
+from tests.sample_worlds import bits
+
+STEPS = 1000
+MOST_BALLS = 100
+
+#: Lengths of a step that are not a sixtieth of a second: the board's balls are in their bins when the steps are over.
+#: A heap at rest, which is all that follows, takes the interpreter minutes.
+DT = {"galton": 1 / 400}
+
+CODE = """
+import sys
+from tests.determinism.test_world_scenes import outcome
+for scene in sys.argv[1:]:
+    print(scene, *outcome(scene))
+"""
+
+
+def built(scene: str) -> carom.World:
+    """The world of a shipped scene, with 100 balls where there are more."""
+    make = getattr(carom.scenes, scene)
+    balls = inspect.signature(make).parameters.get("balls")
+    world: carom.World = (make(balls=MOST_BALLS) if balls and balls.default > MOST_BALLS else make()).build()
+    return world
+
+
+def outcome(scene: str) -> tuple[str, str]:
+    """The digest of a scene's world after all steps, and a hash of everything that happened."""
+    world = built(scene)
+    dt = DT.get(scene, 1 / 60)
+    hits = world.run(STEPS * dt, dt)
+    assert round(world.time / dt) == STEPS
+    assert len(hits) > 0
+    return world.digest(), hashlib.sha256(bits(hits)).hexdigest()
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("scene", carom.scenes.names())
+def test_compiled_and_interpreted(scene: str) -> None:
+    printed = fresh.printed(CODE, scene, NUMBA_DISABLE_JIT="1", PYTHONHASHSEED="random")
+    assert tuple(printed.split()[1:]) == outcome(scene)
+
+
+@pytest.mark.compiled
+def test_from_run_to_run_and_whatever_the_hash_seed() -> None:
+    here = {scene: outcome(scene) for scene in carom.scenes.names()}
+    for seed in ("0", "1", "4242"):
+        lines = fresh.printed(CODE, *carom.scenes.names(), PYTHONHASHSEED=seed).splitlines()
+        assert {line.split()[0]: tuple(line.split()[1:]) for line in lines} == here
