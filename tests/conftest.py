@@ -5,6 +5,7 @@ By default hypothesis takes the same examples in every run, and fewer when the c
 """
 
 import os
+import signal
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -15,6 +16,10 @@ settings.register_profile("explore", deadline=None, max_examples=2000, print_blo
 
 INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "interpreted" if INTERPRETED else "repeatable"))
+
+
+# Tests of Ctrl-C, and the programs that they start, need it heeded even where the tests were started in the background.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -154,8 +154,8 @@ GOOD: dict[str, Callable[[], dict[str, Any]]] = {
     "translated": lambda: {"v": (1, 2)},
 }
 
-#: Classes whose objects only carom makes: `Contact` by `detect`, `Shape` through its kinds.
-MADE_BY_CAROM = {"Contact", "Shape"}
+#: Classes whose objects only carom makes: `Contact` by `detect`, `Shape` through its kinds, the others by queries.
+MADE_BY_CAROM = {"Aim", "CastHit", "Contact", "Neighbor", "Shape"}
 
 
 class Case(NamedTuple):

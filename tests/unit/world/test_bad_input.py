@@ -30,6 +30,8 @@ NO_COUNTS = [0, -1, 2**40, 1.0, 2.5, "1", None, True, NAN, [1]]
 NO_SIZES = [*NO_NUMBERS, -1e-9, -1]
 NO_ARRAYS = [NAN, INF, "1", None, True, 1j, {}, [[1, 2], [3]], object(), [None], ["1"], [True, True], 10**400]
 
+NO_PLACES = [NAN, INF, "1", None, True, {}, object(), (NAN, 0), (0, INF), (1, 2, 3), [(1, NAN)], [(1, 2, 3)]]
+
 BAD: dict[str, list[Any]] = {
     # settings
     "gravity": NO_VECTORS,
@@ -61,6 +63,18 @@ BAD: dict[str, list[Any]] = {
     "seconds": [*NO_SIZES, 1e308],
     "progress": [5, "bar", [], True],
     "snapshot": [None, 5, "text", b"", b"carom snapshot 1\n", [1]],
+    # queries
+    "origin": NO_PLACES,
+    "target": NO_PLACES,
+    "center": NO_PLACES,
+    "point": NO_PLACES,
+    "direction": [*NO_PLACES, (0, 0)],
+    "circle_cast.radius": [NAN, INF, "1", None, True, -1, [1, 2, 3]],
+    "aabb": [None, 5, "abcd", (1, 2, 3), (NAN, 0, 1, 1), (2, 0, 1, 1)],
+    "ball": [None, 5, "ball", carom.Ball((0, 0), 1), carom.Point((0, 0))],
+    "layer": [-1, 2**32, 1.5, "1", None, True],
+    "collides_with": [-1, 2**32, 1.5, "1", None, True],
+    "sensors": NO_FLAGS,
 }
 
 GOOD: dict[str, Callable[[carom.World], dict[str, Any]]] = {
@@ -71,6 +85,12 @@ GOOD: dict[str, Callable[[carom.World], dict[str, Any]]] = {
     "step": lambda world: {"dt": 0.1},
     "run": lambda world: {"seconds": 0.2, "dt": 0.1},
     "restore": lambda world: {"snapshot": world.snapshot()},
+    "ray_cast": lambda world: {"origin": (0, 0), "target": (1, 2)},
+    "circle_cast": lambda world: {"center": (0, 0), "radius": 0.5, "target": (1, 2)},
+    "nearest": lambda world: {"point": (1, 2)},
+    "overlapping": lambda world: {"aabb": carom.Aabb(0, 0, 1, 1)},
+    "overlaps": lambda world: {},
+    "aim": lambda world: {"ball": world.balls[0], "direction": (1, 2)},
 }
 
 
