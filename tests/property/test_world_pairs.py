@@ -1,5 +1,6 @@
 """The three broad phases find the same pairs at the same state, each once, wherever the balls are."""
 
+import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -58,6 +59,17 @@ def test_all_broad_phases_find_the_same_pairs_once(balls: list[Ball], levels: in
 def test_they_agree_on_a_lattice_of_cells_borders(places: list[tuple[int, int]]) -> None:
     side = 2.0 * CELL_SIDE
     rows = ball_rows([(side * x, side * y, 1.0) for x, y in places])
+    expected = found_pairs(rows, "brute")
+    assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
+
+
+@given(st.integers(0, 2**32), st.sampled_from(((1.0,), (1.0, 0.6), (1.0, 0.3), (1.0, 0.1, 0.01))), st.floats(1.0, 8.0))
+def test_they_agree_on_crowds_of_balls_of_one_size_and_of_a_few(
+    seed: int, sizes: tuple[float, ...], width: float
+) -> None:
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(-width, width, (30, 2)).tolist()
+    rows = ball_rows([(x, y, radius) for (x, y), radius in zip(places, rng.choice(sizes, 30).tolist(), strict=True)])
     expected = found_pairs(rows, "brute")
     assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
 

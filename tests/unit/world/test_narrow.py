@@ -154,6 +154,15 @@ def test_a_hit_on_a_shape_says_when_where_and_how() -> None:
     assert hit.impulse == 2 * (4 + 2)
 
 
+def test_a_hit_of_the_last_substep_has_the_time_that_the_step_ends_at() -> None:
+    world = World(substeps=3)
+    world.run(0.5, dt=0.1)
+    world.add(Segment((-9, 0), (9, 0)))
+    world.add(Ball((0, 1.95), radius=1, velocity=(0, -10)))
+    (hit,) = world.step(0.1)
+    assert hit.time == world.time
+
+
 def test_a_normal_points_from_the_shape_to_the_ball_on_either_side() -> None:
     for y in (1, -1):
         world = World(substeps=1)
