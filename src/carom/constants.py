@@ -44,6 +44,12 @@ FINEST_LEVEL = 24
 #: Members of a quadtree's leaf above which it is split, while there are levels left. Changes the speed alone.
 LEAF_MEMBERS = 4
 
+#: Members of a quadtree's four quarters, in members of the node, above which it is not split after all. Four quarters
+#: of half the members each take as many tests of pairs as the node, so more than 2 copies of balls cost time as well as
+#: memory; a list of shapes still gets shorter up to 4. Changes the speed alone.
+TREE_COPIES_OF_BALLS = 2
+TREE_COPIES_OF_SHAPES = 3
+
 #: Cells per shape, and cells at most, of the grid that finds the shapes near a ball: more cells, shorter lists and more
 #: memory (32 bytes a cell). Changes the speed alone.
 INDEX_CELLS_PER_SHAPE = 64

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.constants import CELL_SIDE, LEAF_MEMBERS
+from carom.constants import CELL_SIDE, LEAF_MEMBERS, TREE_COPIES_OF_BALLS, TREE_COPIES_OF_SHAPES
 from carom.rows import Row, Rows
 from carom.world.layout import NO_CHILD
 
@@ -111,10 +111,11 @@ def build_tree(
     """The row of `cells` after the tree's last node, or -1 where room ran out (`state["wanted_*"]` says how much).
 
     The root, with its centre and its members, is there already; it is `width` by `height`. A node is split while it has
-    more than `LEAF_MEMBERS` members and is above the lowest of the world's `levels`, unless each of its quarters would
-    hold all of them: boxes larger than a node gain nothing from smaller ones. One
-    that is as wide as numbers reach stays whole.
+    more than `LEAF_MEMBERS` members and is above the lowest of the world's `levels`, unless its quarters would hold too
+    many copies of them: boxes larger than a node gain nothing from smaller ones. One that is as wide as numbers reach
+    stays whole.
     """
+    copies = TREE_COPIES_OF_BALLS if of_balls else TREE_COPIES_OF_SHAPES
     level_begin = root
     end = root + 1
     free = int(cells[root]["end"])
@@ -131,7 +132,7 @@ def build_tree(
                     return -1
                 held = cells[node]["end"] - cells[node]["begin"]
                 used = split(balls, shapes, of_balls, reach, cells, members, node, end, free, 0.5 * width, 0.5 * height)
-                if used - free == 4 * held:
+                if used - free > copies * held:
                     cells[node]["child"] = NO_CHILD
                 elif used > len(members):
                     state["wanted_members"] = used

@@ -39,6 +39,7 @@ def test_no_leaf_is_deeper_than_the_levels_or_fuller_than_need_be(levels: int) -
     assert leaves["depth"].max() <= levels - 1
     full = leaves[leaves["end"] - leaves["begin"] > LEAF_MEMBERS]
     assert (full["depth"] == levels - 1).all()
+    assert len(leaves) == min(4 ** (levels - 1), 16)
 
 
 def test_every_ball_is_in_the_leaf_of_its_centre() -> None:
@@ -59,12 +60,18 @@ def test_a_node_that_all_boxes_cover_is_not_split() -> None:
     assert end == 1
     assert cells[0]["child"] == NO_CHILD
     cells, _, end = planted([(0.01 * k, 0.0, 1.0) for k in range(50)] + [(100.0, 100.0, 0.1)], 16)
-    assert end < 200
+    assert 1 < end < 50
+
+
+def test_a_tree_of_a_crowd_has_no_more_nodes_than_there_are_pairs() -> None:
+    places = np.random.default_rng(1).uniform(-4, 4, (60, 2)).tolist()
+    _, _, end = planted([(x, y, 1.0) for x, y in places], 16)
+    assert end < 60 * 59 / 2
 
 
 def test_a_world_of_crowded_balls_and_many_levels_stays_small() -> None:
     world = World(broad_phase="quadtree", levels=16, substeps=1, iterations=1)
-    world.add_balls(np.random.default_rng(0).uniform(-1, 1, (300, 2)), radius=5.0)
+    world.add_balls(np.random.default_rng(0).uniform(-9, 9, (60, 2)), radius=2.0)
     world.step(0.0)
     assert len(world._room.cells) < 10_000
 
