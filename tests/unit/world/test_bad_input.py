@@ -28,9 +28,9 @@ INF, NAN = float("inf"), float("nan")
 
 NO_COUNTS = [0, -1, 2**40, 1.0, 2.5, "1", None, True, NAN, [1]]
 NO_SIZES = [*NO_NUMBERS, -1e-9, -1]
-NO_ARRAYS = [NAN, INF, "1", None, True, 1j, {}, [[1, 2], [3]], object(), [None], ["1"], [True, True], 10**400]
+NO_ARRAYS = [NAN, INF, "1", None, True, 1j, {}, [[1, 2], [3]], ..., [None], ["1"], [True, True], 10**400]
 
-NO_PLACES = [NAN, INF, "1", None, True, {}, object(), (NAN, 0), (0, INF), (1, 2, 3), [(1, NAN)], [(1, 2, 3)]]
+NO_PLACES = [NAN, INF, "1", None, True, {}, ..., (NAN, 0), (0, INF), (1, 2, 3), [(1, NAN)], [(1, 2, 3)]]
 
 BAD: dict[str, list[Any]] = {
     # settings
