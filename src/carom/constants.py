@@ -125,6 +125,13 @@ BIN_REACH = 0.375
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_BALLS = 6
 
+#: In radii of the smallest ball: while no ball may go farther in a span than this, all pairs that may meet in it are
+#: found at once. More means more pairs that do not meet.
+SWEEP_MOST = 1.5
+
+#: Factor on the way of the balls in a span, far above its rounding (1e-15).
+SWEEP_ROUNDING = 1.000001
+
 #: Fraction of its radius that a ball which passes a shape, or is inside a sensor, travels before it looks whether it
 #: still does. A way there and back again within it goes unseen; smaller costs events.
 LOOK_TRAVEL = 0.25
@@ -154,6 +161,10 @@ ELASTIC_LIFT = 1e-12
 
 #: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
 LIFT = 1e-3
+
+#: Cosine of the angle between the normals of two shapes: a ball that one of them holds is thrown off by the other, with
+#: whatever speed, if the angle is smaller. At a larger one, contacts that end and begin in turn do so ever more slowly.
+THROW_OFF = 0.5
 
 #: Radians: a ball in lasting contact that approaches the next shape at less than this slope rolls onto it. Far above
 #: the rounding of normals at a joint (1e-12), far below any edge that is meant.

@@ -87,6 +87,22 @@ def arrive(
         note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
 
 
+def near_ends(shapes: Rows, members: Rows, begin: int, end: int, x: float, y: float, radius: float) -> bool:
+    """True if a ball at (x, y) may be on one of the shapes `members[begin:end]` that have ends."""
+    for k in range(begin, end):
+        shape = shapes[members[k]]
+        if shape["kind"] != POINT and shape["kind"] != CIRCLE:
+            apart = (
+                x + radius < shape["left"]
+                or x - radius > shape["right"]
+                or y + radius < shape["bottom"]
+                or y - radius > shape["top"]
+            )
+            if not apart or is_moving(shape):
+                return True
+    return False
+
+
 def note_passing(
     state: Row,
     ball: Row,

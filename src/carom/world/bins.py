@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from carom.constants import BIN_LEASH, BIN_SIDE, FEW_BALLS
+from carom.constants import BIN_LEASH, BIN_SIDE
 from carom.rows import Row, Rows
 from carom.world.grid import cell_of, inverse_side_of, level_of, wrapped_size
 from carom.world.layout import NO_BALL
@@ -19,14 +19,9 @@ from carom.world.pairs import measure_balls
 def open_bins(state: Row, balls: Rows, flights: Rows, heads: Rows) -> bool:
     """True when all balls are filed; False if `heads` has no room, and `state["wanted_starts"]` says how much it needs.
 
-    A few balls are not filed at all: then every ball is near every other. Nor are balls that do not meet each other:
-    then `state["bin_levels"]` is 0.
+    A few balls are not filed at all: then every ball is near every other.
     """
     count = int(state["balls"])
-    state["binned"] = 0
-    state["bin_levels"] = 1 if may_meet(state, balls) else 0
-    if count <= FEW_BALLS or state["bin_levels"] == 0:
-        return True
     size, stride, mask = wrapped_size(count)
     if size > len(heads):
         state["wanted_starts"] = size

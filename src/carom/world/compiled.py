@@ -55,6 +55,7 @@ KERNEL_MODULES = (
     "carom.world.flight",
     "carom.world.surfaces",
     "carom.world.support",
+    "carom.world.foresee_balls",
     "carom.world.foresee",
     "carom.world.arrival",
     "carom.world.encounter",

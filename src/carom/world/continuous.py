@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from carom.constants import SPAN_END
 from carom.rows import NO_RELATION, Row, Rows
-from carom.world.arrival import arrive
+from carom.world.arrival import arrive, near_ends
+from carom.world.bins import open_bins
 from carom.world.discrete import (
     enter_stage,
     find_pairs,
@@ -20,7 +21,7 @@ from carom.world.discrete import (
 )
 from carom.world.encounter import count_impact, impact_of_balls, impact_with_shape
 from carom.world.flight import fly_to, forget_partner, new_flights, place_at
-from carom.world.foresee import foresee
+from carom.world.foresee import foresee, foresee_all
 from carom.world.layout import (
     BEGIN,
     DONE,
@@ -43,8 +44,8 @@ from carom.world.layout import (
 )
 from carom.world.relations import drop_kind, has_kind, relations_room
 from carom.world.safety import begin_step, end_step
-from carom.world.shape_index import FIXED, locate
-from carom.world.spans import begin_flights, move_shapes_on, set_shapes_going, span_length
+from carom.world.shape_index import FIXED, cell_span, locate
+from carom.world.spans import begin_flights, move_shapes_on, set_shapes_going, span_length, sweep_pairs
 from carom.world.support import lean
 
 
@@ -78,6 +79,9 @@ def step_continuous(
             status = begin_substep(state, balls, shapes, order, index, cells, members, saved, flights)
         elif stage == SHAPES:
             status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+        elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
+            enter_stage(state, SPAN)
+            status = DONE
         elif stage == FIND_PAIRS:
             status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
         elif stage == PAIRS:
@@ -85,9 +89,14 @@ def step_continuous(
             if state["stage"] == FINISH:
                 enter_stage(state, SPAN)
         elif stage == SPAN:
-            status = begin_span(state, balls, shapes, order, index, cells, members, starts, flights)
+            status = begin_span(
+                state, balls, shapes, order, index, cells, members, slots, starts, pairs, flights
+            )  # fmt: skip
         elif stage == FORESEE:
-            foresee_all(state, balls, shapes, order, index, cells, members, starts, relations, flights, queue)
+            foresee_all(
+                state, balls, shapes, order, index, cells, members, starts, pairs, relations, flights, queue
+            )  # fmt: skip
+            enter_stage(state, FLY)
             status = DONE
         elif stage == FLY:
             status = fly(
@@ -134,43 +143,24 @@ def begin_span(
     index: Rows,
     cells: Rows,
     members: Rows,
-    heads: Rows,
+    slots: Rows,
+    starts: Rows,
+    pairs: Rows,
     flights: Rows,
 ) -> int:
-    """DONE when shapes and balls are set going for the span; NEEDS_PAIRS if there is too little room for the cells."""
+    """DONE when shapes and balls are set going for the span; NEEDS_PAIRS if there is too little room for cells."""
     if not rebuild_index(state, balls, shapes, order, index, cells, members):
         return NEEDS_PAIRS
     state["span"] = span_length(state, shapes, order, substep_length(state) - float(state["span_begin"]))
     # Balls that a shape wakes on its way are to fly.
     set_shapes_going(state, balls, shapes, order)
-    if not begin_flights(state, balls, flights, heads):
-        return NEEDS_PAIRS
+    if begin_flights(state, balls, flights):
+        # Sorting the balls for the pairs and filing them use the same room, one after the other.
+        found = sweep_pairs(state, balls, flights, slots, starts, pairs)
+        if not found or not open_bins(state, balls, flights, starts):
+            return NEEDS_PAIRS
     enter_stage(state, FORESEE)
     return DONE
-
-
-def foresee_all(
-    state: Row,
-    balls: Rows,
-    shapes: Rows,
-    order: Rows,
-    index: Rows,
-    cells: Rows,
-    members: Rows,
-    heads: Rows,
-    relations: Rows,
-    flights: Rows,
-    queue: Rows,
-) -> None:
-    """Foresee what comes first for every ball; each pair is looked at once."""
-    duration = substep_length(state)
-    for i in range(state["balls"]):
-        lean(state, balls[i], flights[i], shapes, relations, duration, True)
-    for i in range(state["balls"]):
-        foresee(
-            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i, False
-        )  # fmt: skip
-    enter_stage(state, FLY)
 
 
 def fly(
@@ -228,16 +218,19 @@ def end_flights(
     """Move the balls, from the cursor on, to where they end the span; as far as there is room for hits."""
     span = float(state["span"])
     duration = substep_length(state)
-    kinematic = state["shapes"] > state["fixed"]
+    fixed, count = int(state["fixed"]), int(state["shapes"])
+    kinematic = count > fixed
     for i in range(state["cursor"], state["balls"]):
         if len(hits) - state["hits"] < most + state["relations"] or relations_room(state, relations) < most:
             return
         state["cursor"] = i + 1
         ball, flight = balls[i], flights[i]
-        if ball["relation"] == NO_RELATION and not kinematic:
+        if ball["relation"] == NO_RELATION:
             x, y, _vx, _vy = place_at(ball, flight, span)
-            cell = locate(state, index[FIXED], cells, x, y)
-            if cell < 0 or cells[cell]["begin"] == cells[cell]["end"]:
+            radius = float(ball["radius"])
+            begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
+            near = near_ends(shapes, members, begin, end, x, y, radius)
+            if not near and not (kinematic and near_ends(shapes, order, fixed, count, x, y, radius)):
                 fly_to(ball, flight, span)
                 continue
         arrive(
@@ -280,7 +273,7 @@ def deal_with(
         change_path(state, balls[partner], flights[partner], shapes, relations, duration)
         change_path(state, ball, flight, shapes, relations, duration)
         foresee(
-            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, partner, True
+            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, partner
         )  # fmt: skip
     elif event == HIT_SHAPE:
         impact_with_shape(
@@ -293,7 +286,7 @@ def deal_with(
         change_path(state, ball, flight, shapes, relations, duration)
     elif not stale:
         look_around(state, ball, flight, shapes, relations, duration)
-    foresee(state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i, True)
+    foresee(state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i)
 
 
 def change_path(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, duration: float) -> None:

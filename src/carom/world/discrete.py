@@ -243,7 +243,7 @@ def find_pairs(
         if state["broad_phase"] == BRUTE:
             count = pairs_by_brute_force(state, balls, pairs)
         elif state["broad_phase"] == GRID:
-            count = pairs_by_grid(state, balls, slots, starts, pairs)
+            count = pairs_by_grid(state, balls, slots, starts, pairs, 0.0)
         else:
             root = int(index[MOVING]["cells_end"])
             free = int(index[MOVING]["members_end"])

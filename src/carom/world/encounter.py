@@ -17,7 +17,7 @@ from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, drop_all, has_kind
 from carom.world.shape_index import FIXED, locate
-from carom.world.support import quiet_speed, slow_rebound
+from carom.world.support import quiet_speed, slow_rebound, throw_off
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
 
 
@@ -64,7 +64,7 @@ def impact_with_shape(
     if gap < 0.0:
         ball["x"] = x - gap * nx
         ball["y"] = y - gap * ny
-    bounce(state, ball, flight, i, shape, row, hits, relations, rest_speed, gap, nx, ny)
+    bounce(state, ball, flight, i, shapes, row, hits, relations, rest_speed, gap, nx, ny)
 
 
 def bounce(
@@ -72,7 +72,7 @@ def bounce(
     ball: Row,
     flight: Row,
     i: int,
-    shape: Row,
+    shapes: Rows,
     row: int,
     hits: Rows,
     relations: Rows,
@@ -82,6 +82,7 @@ def bounce(
     ny: float,
 ) -> None:
     """Turn a touching ball's velocity if it approaches, record the hit, and let the contact last if it would."""
+    shape = shapes[row]
     time = float(flight["time"])
     radius, vx, vy = float(ball["radius"]), float(ball["vx"]), float(ball["vy"])
     px, py = float(ball["x"]) - radius * nx, float(ball["y"]) - radius * ny
@@ -115,14 +116,14 @@ def bounce(
             record_hit(
                 state, hits[state["hits"]], time_of(state, time), ball, shape, px, py, nx, ny, setback, speed, impulse
             )
-    if kick > 0.0:
-        return
-    slowest = slow_rebound(state, shape, ball, flight, nx, ny, elasticity)
+    slowest = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
     u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
     if slowest > 0.0 and u <= slowest:
         ball["vx"] -= u * nx
         ball["vy"] -= u * ny
         add_relation(state, relations, ball, i, LASTING, row)
+    elif s < 0.0:
+        throw_off(state, ball, time, shapes, relations, nx, ny)
 
 
 def is_squeezed(

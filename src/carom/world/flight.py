@@ -68,6 +68,15 @@ def path_box(
     return min(x0, x1) - bulge_x, min(y0, y1) - bulge_y, max(x0, x1) + bulge_x, max(y0, y1) + bulge_y
 
 
+def consider(flight: Row, delay: float, event: int, partner: int) -> None:
+    """Make an event the next one if it comes sooner than what was to come."""
+    time = float(flight["time"]) + delay
+    if time < flight["event_time"]:
+        flight["event_time"] = time
+        flight["event"] = event
+        flight["partner"] = partner
+
+
 def forget_partner(flight: Row) -> None:
     """Let events that others foresaw with this ball count no more: its path is another from now on."""
     flight["version"] += 1

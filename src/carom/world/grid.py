@@ -60,16 +60,18 @@ def wrapped_size(count: int) -> tuple[int, int, int]:
     return size, int(GOLDEN_SECTION * size) | 1, size - 1
 
 
-def pairs_by_grid(state: Row, balls: Rows, slots: Rows, starts: Rows, pairs: Rows) -> int:
+def pairs_by_grid(state: Row, balls: Rows, slots: Rows, starts: Rows, pairs: Rows, margin: float) -> int:
     """The number of pairs found by sorting the balls into cells, or -1 if there is no room.
+
+    Every ball's radius counts as greater by `margin`: 0, or the way it may go before the pairs are out of date.
 
     Every ball lies in the one cell of its level that holds its centre, so partners of the same level are in the same
     cell or in one of the eight around it, four of which are enough. Partners of a coarser level are in one of the nine
     cells there. Cells are sorted by counting; `slots` then holds the balls in the order of their cells.
     """
     left, bottom, right, top, smallest, largest = measure_balls(state, balls)
-    side = 2.0 * largest * CELL_SIDE
-    layered = level_of(2.0 * smallest, side) > 0
+    side = 2.0 * (largest + margin) * CELL_SIDE
+    layered = level_of(2.0 * (smallest + margin), side) > 0
     if layered:
         size, stride, mask = wrapped_size(state["balls"])
     else:
@@ -77,7 +79,7 @@ def pairs_by_grid(state: Row, balls: Rows, slots: Rows, starts: Rows, pairs: Row
     if size + 1 > len(starts):
         state["wanted_starts"] = size + 1
         return -1
-    levels = sort_balls(state, balls, slots, starts, left, bottom, side, layered, size, stride, mask)
+    levels = sort_balls(state, balls, slots, starts, margin, left, bottom, side, layered, size, stride, mask)
     if layered:
         return pairs_of_levels(state, slots, starts, pairs, left, bottom, side, stride, mask, levels)
     return pairs_of_cells(state, slots, starts, pairs, size, stride, mask)
@@ -132,6 +134,7 @@ def sort_balls(
     balls: Rows,
     slots: Rows,
     starts: Rows,
+    margin: float,
     left: float,
     bottom: float,
     side: float,
@@ -147,7 +150,7 @@ def sort_balls(
     for i in range(state["balls"]):
         ball = balls[i]
         x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
-        level = level_of(2.0 * ball["radius"], side) if layered else 0
+        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
         levels |= 1 << level
         starts[cell_number(x, y, inverse_side_of(side, level), level, stride, mask)] += 1
     total = 0
@@ -158,14 +161,14 @@ def sort_balls(
     for i in range(state["balls"] - 1, -1, -1):
         ball = balls[i]
         x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
-        level = level_of(2.0 * ball["radius"], side) if layered else 0
+        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
         cell = cell_number(x, y, inverse_side_of(side, level), level, stride, mask)
         k = starts[cell] - 1
         starts[cell] = k
         slot = slots[k]
         slot["x"] = ball["x"]
         slot["y"] = ball["y"]
-        slot["radius"] = ball["radius"]
+        slot["radius"] = float(ball["radius"]) + margin
         slot["ball"] = i
         slot["cell"] = cell
     return levels

@@ -124,6 +124,7 @@ STATE = np.dtype(
         ("span_begin", "f8"),  # of the substep that is done when the span begins, in seconds
         ("span", "f8"),  # its length: the substep, or until the next shape reaches a stop
         ("queued", "i8"),
+        ("swept", "i8"),  # whether `pairs` are all that may meet in the span, if nothing changes a path
         ("binned", "i8"),
         ("bin_left", "f8"),
         ("bin_bottom", "f8"),

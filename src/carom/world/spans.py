@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from carom.constants import STOP_MARGIN
+from carom.constants import FEW_BALLS, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
 from carom.rows import KINEMATIC, Row, Rows
 from carom.shapes.pose import acting_spin, advance_pose, set_before
-from carom.world.bins import open_bins
-from carom.world.flight import begin_flight
+from carom.world.bins import may_meet
+from carom.world.flight import begin_flight, top_speed
+from carom.world.grid import pairs_by_grid
 from carom.world.motion import wake_in_box
 from carom.world.surfaces import is_moving, span_box
 
@@ -53,9 +54,34 @@ def move_shapes_on(state: Row, shapes: Rows, order: Rows) -> None:
             state["moving_stale"] = 1
 
 
-def begin_flights(state: Row, balls: Rows, flights: Rows, heads: Rows) -> bool:
-    """True when all balls are ready to fly and filed; False if `heads` has too little room."""
+def begin_flights(state: Row, balls: Rows, flights: Rows) -> bool:
+    """True if the balls, now ready to fly, are so many that what may meet in the span is looked for at once.
+
+    `state["bin_levels"]` is 0 where no ball can meet another.
+    """
     for i in range(state["balls"]):
         begin_flight(state, balls[i], flights[i])
     state["queued"] = 0
-    return open_bins(state, balls, flights, heads)
+    state["binned"] = 0
+    state["swept"] = 0
+    state["bin_levels"] = 1 if state["balls"] > 1 and may_meet(state, balls) else 0
+    return bool(state["balls"] > FEW_BALLS and state["bin_levels"] != 0)
+
+
+def sweep_pairs(state: Row, balls: Rows, flights: Rows, slots: Rows, starts: Rows, pairs: Rows) -> bool:
+    """True when `pairs` are all that may meet in the span, or the balls are too fast for that; False: no room."""
+    way = 0.0
+    smallest = float(balls[0]["radius"])
+    for i in range(state["balls"]):
+        way = max(way, top_speed(balls[i], flights[i], float(state["span"])) * float(state["span"]))
+        smallest = min(smallest, float(balls[i]["radius"]))
+    if way > SWEEP_MOST * smallest:
+        return True
+    tests = int(state["box_tests"])
+    count = pairs_by_grid(state, balls, slots, starts, pairs, way * SWEEP_ROUNDING)
+    if count < 0:
+        state["box_tests"] = tests
+        return False
+    state["pairs"] = count
+    state["swept"] = 1
+    return True

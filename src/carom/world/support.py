@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, PATIENCE_PART, SLIDE_PART, SLIDE_TURN
+from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, PATIENCE_PART, SLIDE_PART, SLIDE_TURN, THROW_OFF
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
 from carom.rows import ARC, GATE, NO_RELATION, SEGMENT, Row, Rows
@@ -165,6 +165,28 @@ def holds(state: Row, ball: Row, time: float, shape: Row, duration: float, chang
         return True
     ux, uy = velocity_of_surface(shape, time, x - radius * nx, y - radius * ny)
     return fabs(dot(vx - ux, vy - uy, nx, ny)) <= lasting_speed(press, duration)
+
+
+def throw_off(state: Row, ball: Row, time: float, shapes: Rows, relations: Rows, nx: float, ny: float) -> None:
+    """End the lasting contacts of a ball off which an impact along (nx, ny) throws it, however slow it was.
+
+    They would press the ball onto what it has just left, for ever.
+    """
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        thrown = False
+        if relations[place]["kind"] == LASTING:
+            x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+            found = gap_to_shape(shapes[relations[place]["other"]], time, x, y, radius, 0.0, 0.0)
+            if found is not None:
+                _gap, mx, my = found
+                thrown = dot(nx, ny, mx, my) > THROW_OFF
+        if thrown:
+            place = drop_relation(state, relations, ball, place, before)
+        else:
+            before = place
+            place = int(relations[place]["next"])
 
 
 def put_onto(ball: Row, time: float, shape: Row) -> tuple[float, float, float]:

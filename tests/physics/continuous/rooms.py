@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import atan2, cos, hypot, pi, sin, sqrt
 from random import Random
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -153,6 +154,32 @@ def furnish(room: Room, random: Random) -> None:
         room.shapes.append(carom.Circle(center, radius, solid=solid))
         room.discs.append((center, radius))
     room.shapes.append(carom.Point((4.5 * cos(turn + 4.0), 4.5 * sin(turn + 4.0))))
+
+
+def mixers(random: Random, reach: float, fastest: float) -> list[carom.Shape | carom.Compound]:
+    """A paddle, a cup, a cam and a post that turn within `reach` of the origin at up to `fastest` radians a second."""
+
+    def turning() -> dict[str, Any]:
+        spin = random.choice((-1.0, 1.0)) * fastest ** random.uniform(0.0, 1.0)
+        return {"motion": "kinematic", "pivot": (0.0, 0.0), "angular_velocity": spin}
+
+    bar = guarded([carom.Segment((-0.6 * reach, 0.0), (reach, 0.0))])
+    start = random.uniform(0.0, 2.0 * pi)
+    cup = guarded([carom.Arc((0.4 * reach, 0.0), 0.6 * reach, start, start + random.uniform(0.5, 5.5))])
+    cam = carom.Circle((0.5 * reach, 0.0), 0.5 * reach, solid=True, **turning())
+    post = carom.Point((reach, 0.0), **turning())
+    chosen = random.choice((0, 1, 2, 3))
+    compounds = [carom.Compound(parts, (0.0, 0.0)) for parts in (bar, cup)]
+    for compound in compounds:
+        compound.angular_velocity = turning()["angular_velocity"]
+    return [compounds[0], compounds[1], cam, post][chosen : chosen + 1]
+
+
+def around(position: Floats, inner: float, outer: float) -> Floats:
+    """Places between two distances from the origin in the directions of `position`, for which outer is 1."""
+    away = np.hypot(*position.T)[:, None]
+    moved: Floats = position / away * (inner + (outer - inner) * away)
+    return moved
 
 
 def launches(

@@ -12,8 +12,10 @@ from tests.physics.continuous.rooms import (
     Floats,
     Pair,
     add_loners,
+    around,
     guarded,
     launches,
+    mixers,
     random_room,
     steps_apart,
     world_of,
@@ -45,6 +47,41 @@ def test_no_launch_ends_outside_of_its_room(launch_count: int) -> None:
         # A ball that passes a wall of a guarded room has found a gap in it.
         assert world._states[0]["relations"] == 0, seed
         assert world.statistics.stalled == 0, seed
+
+
+@pytest.mark.compiled
+def test_no_launch_escapes_from_what_turns_inside_a_room(launch_count: int) -> None:
+    dt = 1.0 / 60.0
+    for seed in range(ROOMS):
+        random = Random(seed)
+        room = random_room(random)
+        radius = 10.0 ** random.uniform(-1.5, -0.35)
+        reach = 1.5
+        gravity = (0.0, 0.0) if seed % 2 else (random.gauss(0.0, 1.0), 10.0 ** random.uniform(-3.0, 1.0))
+        world = world_of(room.shapes, gravity=gravity)
+        for mixer in mixers(random, reach, 100.0):
+            world.add(mixer)
+        place, velocity = launches(random, launch_count // ROOMS, 1.0, radius, 0.01 / dt, 1000.0 / dt)
+        add_loners(world, around(place, reach + 1.01 * radius, room.free), velocity, radius)
+        met = 0
+        for step in range(6):
+            hits = world.step(dt)
+            met += sum(hit.shape.motion == carom.Motion.KINEMATIC for hit in hits[:200])
+            x, y = world.balls.position.T
+            assert room.holds(x, y).all(), (seed, step, np.flatnonzero(~room.holds(x, y)))
+            assert np.isfinite(world.balls.velocity).all(), (seed, step)
+            for cam in [shape for shape in world.shapes if is_cam(shape)]:
+                away = np.hypot(x - cam.center[0], y - cam.center[1])
+                assert (away >= cam.radius + radius * (1.0 - DEEP)).all(), (seed, step)
+        assert met > 0
+        assert world.statistics.stalled == 0, seed
+        assert world.statistics.squeezed == 0, seed
+        assert world._states[0]["relations"] == 0, seed
+
+
+def is_cam(shape: carom.Shape) -> bool:
+    """True for a solid circle that turns."""
+    return isinstance(shape, carom.Circle) and shape.motion == carom.Motion.KINEMATIC
 
 
 @pytest.mark.compiled

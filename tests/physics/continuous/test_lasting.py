@@ -267,3 +267,20 @@ def test_balls_on_top_of_each_other_stay(elasticity: float) -> None:
     for k, ball in enumerate(balls):
         assert ball.position == pytest.approx((0, 0.5 + k), abs=1e-3)
     assert world.statistics.stalled == 0
+
+
+@pytest.mark.parametrize("elasticity", [0.6, 1.0])
+@pytest.mark.parametrize("uneven", [1e-8, -1e-8, 1e-6, 1e-3])
+def test_a_ball_that_slides_over_an_uneven_joint_goes_on(uneven: float, elasticity: float) -> None:
+    # A chute that ends at a drum, almost in its tangent: the drum touches the ball, and cannot hold it.
+    slope = -0.55
+    end, normal = (3.0 * cos(slope), 3.0 * sin(slope)), (-sin(slope), cos(slope))
+    turned = (normal[0] * cos(uneven) + normal[1] * sin(uneven), normal[1] * cos(uneven) - normal[0] * sin(uneven))
+    drum = Circle((end[0] - 0.6 * turned[0], end[1] - 0.6 * turned[1]), 0.6, solid=True, elasticity=elasticity)
+    world = world_of(Segment((0, 0), end, elasticity=0.5), drum, gravity=(0, -35))
+    ball = world.add(Ball((0.6 * normal[0], 0.6 * normal[1]), 0.6, velocity=(8 * cos(slope), 8 * sin(slope))))
+    hits = world.run(0.5, dt=1 / 480)
+    assert len(hits) < 10
+    assert world.statistics.stalled == 0
+    assert world.statistics.full_tests < 20_000
+    assert ball.position[1] < -2

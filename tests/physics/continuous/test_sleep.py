@@ -1,5 +1,6 @@
 """Sleep and friction in the continuous mode."""
 
+from math import sqrt
 from typing import Any
 
 import pytest
@@ -89,3 +90,18 @@ def test_friction_slows_a_ball_that_rolls_on_a_floor() -> None:
     assert ball.velocity == (0, 0)
     assert ball.position[1] == pytest.approx(0.5, abs=1e-9)
     assert asleep(world) == 1
+
+
+@pytest.mark.parametrize("others", [0, 10])
+@pytest.mark.parametrize("first", [True, False])
+def test_a_sleeping_ball_is_met_when_a_falling_one_touches_it(others: int, first: bool) -> None:
+    world = world_of(Segment((-50, 0), (50, 0), elasticity=0.0), gravity=(0, -10), substeps=1)
+    sleeper, faller = Ball((0, 1), 1.0, elasticity=0.5), Ball((0, 20), 1.0)
+    for ball in (sleeper, faller) if first else (faller, sleeper):
+        world.add(ball)
+    for k in range(others):
+        world.add(Ball((10 + 3 * k, 1), 1.0, elasticity=0.5))
+    world.run(1.5)
+    assert asleep(world) == 1 + others
+    hits = world.run(0.4)
+    assert hits["time"][0] == pytest.approx(sqrt(2 * 17 / 10), rel=1e-12)
