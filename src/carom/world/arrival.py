@@ -19,7 +19,7 @@ from carom.world.layout import (
 from carom.world.narrow import may_collide
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation, drop_relation, find_relation
-from carom.world.shape_index import FIXED, distance_to_shape, locate
+from carom.world.shape_index import FIXED, cell_span, distance_to_shape, locate
 from carom.world.support import keep_energy
 from carom.world.surfaces import (
     gap_to_shape,
@@ -80,8 +80,8 @@ def arrive(
         end_relations(state, balls, shapes, flights, hits, relations, i, time - began)
     if time > began and flight["kind"] == FLYING:
         cell = locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]))
-        if cell >= 0:
-            begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
+        begin, end = cell_span(cells, cell)
+        if begin < end:
             note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
         begin, end = int(state["fixed"]), int(state["shapes"])
         note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)

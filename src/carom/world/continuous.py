@@ -42,6 +42,7 @@ from carom.world.layout import (
     SHAPES_DUE,
     SPAN,
 )
+from carom.world.queue import row_of
 from carom.world.relations import drop_kind, has_kind, relations_room
 from carom.world.safety import begin_step, end_step
 from carom.world.shape_index import FIXED, cell_span, locate
@@ -187,7 +188,7 @@ def fly(
             state["wanted_relations"] = state["relations"] + most
             return NEEDS_ROOM
         if state["queued"] > 0:
-            i = int(queue[0])
+            i = row_of(queue[0])
             deal_with(
                 state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, i, rest
             )  # fmt: skip
@@ -257,7 +258,7 @@ def deal_with(
 ) -> None:
     """Deal with the next event, which is that of ball `i`, and foresee what comes next for the balls concerned."""
     ball, flight = balls[i], flights[i]
-    event, partner, time = int(flight["event"]), int(flight["partner"]), float(flight["event_time"])
+    event, partner, time = int(flight["event"]), row_of(flight["partner"]), float(flight["event_time"])
     stale = event == HIT_BALL and flights[partner]["version"] != flight["partner_version"]
     arrive(
         state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, i, time

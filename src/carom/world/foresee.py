@@ -22,7 +22,7 @@ from carom.world.layout import (
 )
 from carom.world.narrow import may_collide
 from carom.world.queue import put_event, take_event
-from carom.world.shape_index import FIXED, locate
+from carom.world.shape_index import FIXED, cell_span, locate
 from carom.world.support import lean, slide_time
 from carom.world.surfaces import impact_at_rest, impact_in_motion, is_moving, span_box
 
@@ -116,10 +116,11 @@ def foresee_shapes(
     cell = cell_around(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]), speed * remaining)
     if cell == UNSURE:
         foresee_fixed(state, ball, flight, shapes, order, index, cells, members, relations, speed)
-    elif cells[cell]["begin"] < cells[cell]["end"]:
-        duration = float(flight["event_time"]) - float(flight["time"])
-        begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
-        foresee_members(state, ball, flight, shapes, members, relations, begin, end, 0.0, duration)
+    else:
+        begin, end = cell_span(cells, cell)
+        if begin < end:
+            duration = float(flight["event_time"]) - float(flight["time"])
+            foresee_members(state, ball, flight, shapes, members, relations, begin, end, 0.0, duration)
     if state["shapes"] > state["fixed"]:
         foresee_kinematic(state, ball, flight, shapes, order, relations)
 
@@ -198,7 +199,7 @@ def foresee_slice(
     first = locate(state, entry, cells, left, bottom)
     if first >= 0 and locate(state, entry, cells, right, top) == first:
         if cells[first]["begin"] < cells[first]["end"]:
-            low, high = int(cells[first]["begin"]), int(cells[first]["end"])
+            low, high = cell_span(cells, first)
             foresee_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
         return
     second = locate(state, entry, cells, right, bottom)
@@ -214,7 +215,7 @@ def foresee_slice(
         else:
             cell = fourth if fourth != first and fourth != second and fourth != third else -1
         if cell >= 0:
-            low, high = int(cells[cell]["begin"]), int(cells[cell]["end"])
+            low, high = cell_span(cells, cell)
             foresee_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
 
 

@@ -12,6 +12,7 @@ from carom.world.flight import consider, place_at
 from carom.world.grid import cell_of, inverse_side_of
 from carom.world.layout import FLYING, HIT_BALL, INSIDE_BALL, NO_BALL
 from carom.world.narrow import may_collide
+from carom.world.queue import row_of
 from carom.world.relations import find_relation
 from carom.world.support import quiet_speed
 
@@ -65,7 +66,7 @@ def foresee_cells(
     tests = 0
     for line in range(bottom, top + 1):
         for column in range(left, right + 1):
-            j = int(heads[(column + stride * line + level) & mask])
+            j = row_of(heads[(column + stride * line + level) & mask])
             while j != NO_BALL:
                 partner = flights[j]
                 wanted = all_balls or j > i or partner["kind"] != FLYING
@@ -73,14 +74,15 @@ def foresee_cells(
                     tests += 1
                     if may_near(balls[i], flight, balls[j], partner):
                         foresee_pair(state, balls, flights, relations, i, j)
-                j = int(partner["next"])
+                j = row_of(partner["next"])
     state["box_tests"] += tests
 
 
 def foresee_pairs(state: Row, balls: Rows, pairs: Rows, flights: Rows, relations: Rows) -> None:
     """Foresee the first impacts of all balls with each other, at a span's beginning, from the pairs that may meet."""
     for k in range(state["pairs"]):
-        i, j = min(int(pairs[k, 0]), int(pairs[k, 1])), max(int(pairs[k, 0]), int(pairs[k, 1]))
+        first, second = row_of(pairs[k, 0]), row_of(pairs[k, 1])
+        i, j = min(first, second), max(first, second)
         if flights[i]["kind"] != FLYING:
             i, j = j, i
         if flights[i]["kind"] == FLYING and may_near(balls[i], flights[i], balls[j], flights[j]):

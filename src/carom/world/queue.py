@@ -9,6 +9,11 @@ from carom.rows import Row, Rows
 from carom.world.layout import NO_PLACE
 
 
+def row_of(number: int) -> int:
+    """A row's number as it is handed on: 64 bits wide, whatever it was kept in, so no function is compiled twice."""
+    return int(number) + 0
+
+
 def is_sooner(flights: Rows, first: int, second: int) -> bool:
     """True if the event of ball `first` is to be dealt with before that of ball `second`."""
     one, other = float(flights[first]["event_time"]), float(flights[second]["event_time"])
