@@ -46,6 +46,7 @@ def test_balls_that_overlap_at_first_are_moved_apart() -> None:
     assert ((position > 0.5 - 1e-6) & (position < 9.5 + 1e-6)).all()
 
 
+@pytest.mark.compiled
 @given(seed=st.integers(0, 2**32 - 1), dt=st.sampled_from((0.001, 1 / 60, 1.0)))
 def test_worlds_of_everything_stay_finite(seed: int, dt: float) -> None:
     world = crowded(8, seed, detection="continuous")
