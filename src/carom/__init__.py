@@ -15,7 +15,7 @@ raises on purpose is a `CaromError`; one for bad input is an `InvalidArgument`, 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from carom.errors import CaromError, InvalidArgument, NonFiniteState, SceneError, SnapshotError
+from carom.errors import CaromError, InvalidArgument, NonFiniteState, RecordingError, SceneError, SnapshotError
 from carom.rows import Motion
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
@@ -32,6 +32,7 @@ from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
+    from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
 
@@ -56,6 +57,9 @@ __all__ = [
     "Neighbor",
     "NonFiniteState",
     "Point",
+    "Recorder",
+    "Recording",
+    "RecordingError",
     "Scene",
     "SceneError",
     "Segment",
@@ -81,6 +85,8 @@ _LAZY = {
     "Hits": "carom.world",
     "Neighbor": "carom.world",
     "World": "carom.world",
+    "Recorder": "carom.record",
+    "Recording": "carom.record",
     "Scene": "carom.scene",
     "scenes": "carom.scene",
 }

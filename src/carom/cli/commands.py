@@ -17,8 +17,8 @@ from carom.cli import outputs, report, running
 from carom.cli.hits_file import write_hits
 from carom.cli.mistakes import Mistake
 from carom.cli.sources import Source, find, shipped
-from carom.cli.tally import names_in
 from carom.errors import CaromError
+from carom.record.members import names_in
 from carom.scene import Scene
 
 if TYPE_CHECKING:

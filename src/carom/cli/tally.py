@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.draw.looks import parts
+from carom.record.members import label_of, parts
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from carom.shapes.shape import Shape
     from carom.world.world import World
 
 BALLS = "ball against ball"
@@ -59,23 +58,3 @@ class Tally:
     def counts(self) -> list[Count]:
         """The counts, the most frequent first."""
         return sorted(self._counts.values(), key=lambda count: (-count.bounces - count.entries, count.label))
-
-
-def name_of(shape: Shape) -> str | None:
-    """The name of `shape`, or that of the compound that it is a part of, or None."""
-    if shape.name is None and shape.compound is not None:
-        return shape.compound.name
-    return shape.name
-
-
-def names_in(world: World) -> dict[int, str]:
-    """The names of the shapes and balls that have one, by id."""
-    named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
-    named += [(ball.id, ball.name) for ball in world.balls]
-    return {member: name for member, name in named if member is not None and name is not None}
-
-
-def label_of(shape: Shape) -> str:
-    """What to call `shape` in a table: its name, or what and where it is."""
-    x, y = shape.position
-    return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"

@@ -7,13 +7,10 @@ from typing import TYPE_CHECKING
 
 from carom.draw.painter import Style
 from carom.rows import Motion
-from carom.shapes.compound import Compound
 from carom.shapes.gate import Gate
 from carom.shapes.point import Point
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from carom.draw.painter import Vector
     from carom.shapes.shape import Shape
 
@@ -68,11 +65,6 @@ def look_of(shape: Shape, ends: frozenset[Vector]) -> Look:
     if shape.kick > 0.0 or shape.elasticity > 1.0:
         return BUMPER
     return POST if isinstance(shape, Point) else WALL
-
-
-def parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
-    """The shapes that lines and dots are drawn for: `shapes`, the parts of compounds in place of these."""
-    return [part for shape in shapes for part in (shape.shapes if isinstance(shape, Compound) else (shape,))]
 
 
 def rounded(position: Vector) -> Vector:

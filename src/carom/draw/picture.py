@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from carom.draw.frame import MARGIN, Frame
 from carom.draw.legend import facts, legend, remarks
-from carom.draw.looks import GATE, LOOKS, MOVING, Look, look_of, parts, rounded
+from carom.draw.looks import GATE, LOOKS, MOVING, Look, look_of, rounded
 from carom.draw.marks import arrow_mark, ball_mark, hit_mark, pivot_mark, shape_mark, track_style
 from carom.draw.painter import Style
 from carom.draw.panel import Panel
@@ -19,6 +19,7 @@ from carom.draw.svg import SvgPainter
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.draw.trace import MOST_FOLLOWED
 from carom.draw.tracks import BANDS, bands, thinned
+from carom.record.members import parts
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
 from carom.shapes.gate import Gate

@@ -3,7 +3,7 @@
 import numpy as np
 
 import carom
-from carom.cli.tally import BALLS, Tally, label_of, name_of
+from carom.cli.tally import BALLS, Tally
 from carom.world.hits import HitKind
 from carom.world.layout import HIT
 
@@ -25,17 +25,6 @@ def test_shapes_of_one_name_count_together_whenever_they_are_hit() -> None:
     tally.add(hits_of((HitKind.BOUNCE, right.id, 1.0, 1.0)))
     (count,) = tally.counts()
     assert (count.label, count.bounces, count.fastest, count.strongest) == ("post", 3, 3.0, 5.0)
-
-
-def test_a_part_has_the_name_of_its_compound_unless_it_has_its_own() -> None:
-    named, unnamed = carom.Point((0, 0), name="tip"), carom.Point((1, 0))
-    carom.Compound([named, unnamed], pivot=(0, 0), name="flipper")
-    assert name_of(named) == "tip"
-    assert name_of(unnamed) == "flipper"
-
-
-def test_what_has_no_name_is_called_by_kind_and_place() -> None:
-    assert label_of(carom.Segment((0, 0), (3, 1))) == "segment at (1.5, 0.5)"
 
 
 def test_sensors_count_entries_only() -> None:
