@@ -15,7 +15,15 @@ raises on purpose is a `CaromError`; one for bad input is an `InvalidArgument`, 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from carom.errors import CaromError, InvalidArgument, NonFiniteState, RecordingError, SceneError, SnapshotError
+from carom.errors import (
+    CaromError,
+    InvalidArgument,
+    MissingExtra,
+    NonFiniteState,
+    RecordingError,
+    SceneError,
+    SnapshotError,
+)
 from carom.rows import Motion
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
@@ -53,6 +61,7 @@ __all__ = [
     "Hits",
     "InvalidArgument",
     "Line",
+    "MissingExtra",
     "Motion",
     "Neighbor",
     "NonFiniteState",

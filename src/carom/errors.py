@@ -30,3 +30,7 @@ class RecordingError(CaromError, ValueError):
 
 class NonFiniteState(CaromError, ValueError):
     """A world's state holds NaN or infinity; the message names the balls."""
+
+
+class MissingExtra(CaromError, ImportError):
+    """A package is not installed; the message says what needs it, and what to install."""

@@ -1,4 +1,4 @@
-"""The themes: which colour each ink has on a light and on a dark ground."""
+"""The themes: which colour each ink has on a light and on a dark ground, and on paper."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ class ThemeName(StrEnum):
     AUTO = "auto"
     LIGHT = "light"
     DARK = "dark"
+    PRINT = "print"
 
 
 #: The inks of single balls and their tracks, given out in turn.
@@ -85,4 +86,38 @@ DARK = Theme(
             "ball-6": "#91a7ff",
         }
     ),
+)
+
+#: Black on white, without tints, for paper: what colours tell apart elsewhere is told apart by greys, dashes and widths.
+PRINT = Theme(
+    "print",
+    MappingProxyType(
+        {
+            "paper": "#ffffff",
+            "stage": "#ffffff",
+            "text": "#000000",
+            "muted": "#3d3d3d",
+            "rule": "#b5b5b5",
+            "wall": "#000000",
+            "bumper": "#000000",
+            "moving": "#000000",
+            "gate": "#000000",
+            "sensor": "#4d4d4d",
+            "off": "#8a8a8a",
+            "post": "#000000",
+            "hit": "#000000",
+            "ball": "#8a8a8a",
+            "ball-1": "#1c1c1c",
+            "ball-2": "#6f6f6f",
+            "ball-3": "#a3a3a3",
+            "ball-4": "#474747",
+            "ball-5": "#8a8a8a",
+            "ball-6": "#2e2e2e",
+        }
+    ),
+)
+
+#: The theme of each name; where the reader's setting cannot be known, it is light.
+THEMES: Mapping[ThemeName, Theme] = MappingProxyType(
+    {ThemeName.AUTO: LIGHT, ThemeName.LIGHT: LIGHT, ThemeName.DARK: DARK, ThemeName.PRINT: PRINT}
 )
