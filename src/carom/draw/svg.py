@@ -104,8 +104,9 @@ class SvgPainter:
         """The whole SVG text."""
         self._close_layer()
         width, height = digits(self._frame.width), digits(self._frame.height)
+        shown_width, shown_height = self._frame.pixels
         head = (
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{shown_width}" height="{shown_height}" '
             f'viewBox="0 0 {width} {height}" role="img" fill="none" stroke-linecap="round" stroke-linejoin="round" '
             f'font-family="{FONT}">'
         )

@@ -49,6 +49,14 @@ LIGHT = Theme(
             "off": "#8f8b82",
             "post": "#3b424d",
             "hit": "#c2255c",
+            "glow": "#dd6b00",
+            "box": "#7a7f87",
+            "cell": "#3b5bdb",
+            "sector": "#1f68d1",
+            "tangent": "#1f68d1",
+            "normal": "#2b8a3e",
+            "velocity": "#22262c",
+            "reticle": "#c2255c",
             "ball": "#7a8594",
             "ball-1": "#0b8599",
             "ball-2": "#7048e8",
@@ -77,6 +85,14 @@ DARK = Theme(
             "off": "#6b7280",
             "post": "#c6ccd6",
             "hit": "#ff7aa8",
+            "glow": "#ffc14d",
+            "box": "#868e99",
+            "cell": "#91a7ff",
+            "sector": "#6cb2ff",
+            "tangent": "#6cb2ff",
+            "normal": "#69db7c",
+            "velocity": "#eceae5",
+            "reticle": "#ff7aa8",
             "ball": "#8b97a7",
             "ball-1": "#3bc9db",
             "ball-2": "#a58bff",
@@ -88,7 +104,7 @@ DARK = Theme(
     ),
 )
 
-#: Black on white, without tints, for paper: what colours tell apart elsewhere is told apart by greys, dashes and widths.
+#: Black on white, without tints, for paper: greys, dashes and widths tell apart what colours do elsewhere.
 PRINT = Theme(
     "print",
     MappingProxyType(
@@ -106,6 +122,14 @@ PRINT = Theme(
             "off": "#8a8a8a",
             "post": "#000000",
             "hit": "#000000",
+            "glow": "#8a8a8a",
+            "box": "#6b6b6b",
+            "cell": "#4d4d4d",
+            "sector": "#6b6b6b",
+            "tangent": "#000000",
+            "normal": "#000000",
+            "velocity": "#000000",
+            "reticle": "#000000",
             "ball": "#8a8a8a",
             "ball-1": "#1c1c1c",
             "ball-2": "#6f6f6f",

@@ -60,23 +60,16 @@ def distances_to_segment(points: Points, start: Floats, end: Floats) -> Floats:
     return np.sqrt(offsets[:, 0] * offsets[:, 0] + offsets[:, 1] * offsets[:, 1])
 
 
-def bands(track: Track, start: float, end: float) -> Iterator[tuple[int, Points]]:
-    """The parts of `track` in each of `BANDS` equal spans of time from `start` to `end`: (band, points), oldest first.
+def bands(track: Track, start: float, end: float, count: int = BANDS) -> Iterator[tuple[int, Points]]:
+    """The parts of `track` in each of `count` equal spans of time from `start` to `end`: (band, points), oldest first.
 
     Neighbouring parts share the point between them. A band in which the track has no length is left out.
     """
-    edges = np.linspace(start, end, BANDS + 1)
-    for band in range(BANDS):
-        low = max(edges[band], track.times[0])
-        high = min(edges[band + 1], track.times[-1])
-        if high <= low:
-            continue
-        inside = (track.times > low) & (track.times < high)
-        ends = np.array([position_at(track, low), position_at(track, high)])
-        yield band, np.concatenate([ends[:1], track.points[inside], ends[1:]])
-
-
-def position_at(track: Track, time: float) -> tuple[float, float]:
-    """Where `track` was at `time`, on the straight line between the points beside it."""
-    x, y = track.points[:, 0], track.points[:, 1]
-    return float(np.interp(time, track.times, x)), float(np.interp(time, track.times, y))
+    times, points = track.times, track.points
+    edges = np.clip(np.linspace(start, end, count + 1), times[0], times[-1])
+    corners = np.column_stack([np.interp(edges, times, points[:, axis]) for axis in (0, 1)])
+    begins, ends = times.searchsorted(edges, side="right").tolist(), times.searchsorted(edges, side="left").tolist()
+    for band in range(count):
+        if edges[band + 1] > edges[band]:
+            inside = points[begins[band] : ends[band + 1]]
+            yield band, np.concatenate([corners[band : band + 1], inside, corners[band + 1 : band + 2]])
