@@ -42,7 +42,10 @@ nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_default_options = {"members": True, "inherited-members": "tuple, ndarray, ValueError, Exception, StrEnum"}
+autodoc_default_options = {
+    "members": True,
+    "inherited-members": "BaseModel, Exception, IntEnum, StrEnum, ValueError, int, ndarray, tuple",
+}
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 100
 add_module_names = False

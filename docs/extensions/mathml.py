@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from docutils.nodes import SkipNode
@@ -12,15 +14,30 @@ if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
 
+BAR = re.compile(r'<mo (stretchy="false"|maxsize="[^"]*" minsize="[^"]*" symmetric="true")>\|</mo>')
+
+
+def mathml(formula: str, *, as_block: bool = False) -> str:
+    """A formula as MathML; bars, which open and close in turn, stand close to what is between them."""
+    turns = {True: count(), False: count()}
+
+    def bar(found: re.Match[str]) -> str:
+        turn = next(turns["stretchy" in found[1]])
+        form = "postfix" if turn % 2 else "prefix"
+        return f'<mo {found[1]} form="{form}" lspace="0" rspace="0">|</mo>'
+
+    return BAR.sub(bar, tex2mathml(formula, as_block=as_block))
+
+
 def visit_math(self: Any, node: nodes.math) -> None:
     """Write a formula in a line."""
-    self.body.append(tex2mathml(node.astext()))
+    self.body.append(mathml(node.astext()))
     raise SkipNode
 
 
 def visit_math_block(self: Any, node: nodes.math_block) -> None:
     """Write a formula on lines of its own."""
-    self.body.append(f'<div class="math">{tex2mathml(node.astext(), as_block=True)}</div>')
+    self.body.append(f'<div class="math">{mathml(node.astext(), as_block=True)}</div>')
     raise SkipNode
 
 

@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from reading_order import EXAMPLES
 from sphinx.errors import ExtensionError
 from sphinx_gallery.scrapers import figure_rst
 
@@ -21,12 +22,6 @@ LOADED = re.compile(
     r"""<(?:script|img|iframe|source)\b[^>]*\bsrc=["']?(?:https?:)?//|<link\b[^>]*\bhref=["']?https?://"""
 )
 CODE = re.compile(r"(``.+?``|`[^`]+`)")
-#: The order of the gallery.
-EXAMPLES = (
-    "arc_room", "galton_board", "newtons_cradle", "galperin_pi", "maxwell_gas", "common_tangents", "guard_points",
-    "two_modes", "stadium_chaos", "sinai_billiard", "bowl", "flipper", "pool_line", "lidar", "pinball_hits",
-    "snapshots",
-)  # fmt: skip
 
 
 def link_within(app: Sphinx, name: str, source: list[str]) -> None:

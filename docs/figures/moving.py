@@ -82,4 +82,4 @@ def turning_limits(sheet: Sheet) -> None:
     sheet.arrow((1.83, 0.55), (1.62, 0.93), GREEN)
     sheet.label((2.15, 0.35), "ω", None, GREEN)
     sheet.dot((0.0, 0.0), "moving", 5.0)
-    sheet.label((0.0, 0.0), "pivot", pi / 2)
+    sheet.label((0.0, 0.0), "pivot", pi)
