@@ -36,11 +36,11 @@ from carom.shapes.segment import Segment
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
+    from carom.draw.cells import Cell
     from carom.draw.frame import Frame
     from carom.draw.painter import Painter, Vector
     from carom.draw.panel import Glyph
     from carom.draw.trace import Trace
-    from carom.draw.tracks import Track
     from carom.world.world import World
 
 #: How many balls of different inks the sample of balls shows.
@@ -186,13 +186,21 @@ def facts(world: World, trace: Trace | None) -> tuple[tuple[str, str], ...]:
 
 
 def remarks(
-    layers: Collection[Layer], tracks: Sequence[Track], balls: int, bounces: int, *, cells: bool
+    layers: Collection[Layer], tracked: int, balls: int, span: float, bounces: int, cells: Collection[Cell]
 ) -> tuple[str, ...]:
-    """What the picture leaves out, in words: of some layers, the tracks of some of the `balls`, and of the hits."""
+    """What a picture leaves out, in words.
+
+    Args:
+        layers: What it shows.
+        tracked: How many balls have tracks.
+        balls: Of how many.
+        span: Over how many seconds.
+        bounces: How many hits there are to show.
+        cells: The cells of the broad phase.
+    """
     lines = []
-    if tracks and Layer.TRACKS in layers:
-        span = max(float(track.times[-1]) for track in tracks) - min(float(track.times[0]) for track in tracks)
-        whose = "all balls" if len(tracks) == balls else f"{len(tracks)} of {balls:,} balls"
+    if tracked and Layer.TRACKS in layers:
+        whose = "all balls" if tracked == balls else f"{tracked} of {balls:,} balls"
         lines.append(f"Tracks of {whose}, over the last {seconds(span)}.")
     if bounces > MOST_HITS and Layer.HITS in layers:
         lines.append(f"Of the hits, the {MOST_HITS:,} strongest are shown.")

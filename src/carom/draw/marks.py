@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -35,6 +36,7 @@ GLOW = ((16.0, 0.22), (9.0, 0.4), (4.0, 0.9))
 #: Radians between two points of a sector's edge.
 SECTOR_STEP = pi / 45.0
 
+HIT = Style(fill="hit", opacity=0.55)
 BOX = Style("box", width=1.0, dash=(3.0, 3.0))
 SECTOR = Style("sector", width=1.0, dash=(4.0, 4.0), opacity=0.7)
 SECTOR_AREA = Style(fill="sector", fill_opacity=0.12)
@@ -102,21 +104,25 @@ def pivot_mark(painter: Painter, frame: Frame, position: Vector) -> None:
 
 def ball_mark(painter: Painter, frame: Frame, center: Vector, radius: float, ink: str) -> None:
     """Draw a ball, with a rim that keeps it apart from its neighbours while it is large enough for one."""
-    pixels = radius * frame.scale
+    style = ball_style(ink, radius * frame.scale)
+    painter.circle(center, radius - (0.5 * frame.units(style.width) if style.stroke else 0.0), style)
+
+
+@lru_cache(maxsize=1024)
+def ball_style(ink: str, pixels: float) -> Style:
+    """The style of a ball whose radius is some pixels."""
     rim = min(1.5, 0.2 * pixels)
-    if rim < 0.3:
-        painter.circle(center, radius, Style(fill=ink))
-    else:
-        painter.circle(center, radius - 0.5 * frame.units(rim), Style("stage", fill=ink, width=rim))
+    return Style("stage", fill=ink, width=rim) if rim >= 0.3 else Style(fill=ink)
 
 
 def hit_mark(painter: Painter, frame: Frame, center: Vector, strength: float, weight: float) -> None:
     """Draw a hit point of a `strength` from 0 to 1; the dot's area grows with it, in `HIT_SIZES` sizes."""
     size = round(min(1.0, max(0.0, strength)) ** 0.5 * (HIT_SIZES - 1)) / (HIT_SIZES - 1)
     radius = (SMALLEST_HIT + (LARGEST_HIT - SMALLEST_HIT) * size) * weight
-    painter.circle(center, frame.units(radius), Style(fill="hit", opacity=0.55))
+    painter.circle(center, frame.units(radius), HIT)
 
 
+@lru_cache(maxsize=1024)
 def track_style(ink: str, band: int, count: int = BANDS) -> Style:
     """The style of a track in one of its bands of age, 0 the oldest."""
     share = band / (count - 1)

@@ -193,17 +193,19 @@ def picture_of(
     if Layer.CELLS in layers:
         scene = Scene(world=described_world(world), shapes=list(world.shapes))
         cells = cells_of(scene, float(radii.max(initial=0.0)))
-    bounces = trace.bounces if trace is not None else 0
-    return composed(
+    still = drawn_of(shapes, [shape.id or 0 for shape in shapes])
+    bounces, tracks = (trace.bounces if trace is not None else 0), moment.tracks
+    picture = composed(
         Panel(
             name,
             caption,
             facts(world, trace),
             tuple(shares[:MOST_SHARES]),
-            notes=remarks(layers, moment.tracks, len(balls.ids), bounces, cells=len(cells) > 0),
+            notes=remarks(layers, len(tracks), len(balls.ids), world.time - moment.since, bounces, cells),
         ),
-        drawn_of(shapes, [shape.id or 0 for shape in shapes]),
+        still,
         moment,
+        box_around([(one.shape, one.look) for one in still], balls),
         layers=frozenset(layers),
         size=size,
         inks=dict(zip(singled_out(balls, trace), cycle(BALL_INKS), strict=False)),
@@ -211,7 +213,10 @@ def picture_of(
         cells=cells,
         measures=Measures.of(moment.hits, balls.velocities),
         of_run=trace is not None,
+        empty=[layer for layer, there in ((Layer.TRACKS, tracks), (Layer.HITS, moment.hits)) if not len(there)],
     )
+    tolerance = picture.frame.units(TRACK_TOLERANCE)
+    return replace(picture, moment=replace(moment, tracks=tuple(thinned(track, tolerance) for track in tracks)))
 
 
 def traced(time: float, balls: Balls, trace: Trace) -> Moment:
@@ -225,6 +230,7 @@ def composed(
     panel: Panel,
     still: tuple[Drawn, ...],
     moment: Moment,
+    box: Aabb,
     *,
     layers: frozenset[Layer],
     size: Size,
@@ -233,23 +239,21 @@ def composed(
     cells: tuple[Cell, ...],
     measures: Measures,
     of_run: bool,
+    empty: Collection[Layer],
 ) -> Picture:
-    """A picture, its panel completed by a legend, its tracks thinned to what can be seen."""
-    drawn = (*still, *moment.moving)
-    empty = {
-        Layer.TRACKS: not moment.tracks,
-        Layer.HITS: len(moment.hits) == 0,
+    """The picture that shows a `box` of the world; its panel gets a legend, without the layers that are `empty`."""
+    drawn, balls = (*still, *moment.moving), moment.balls
+    absent = {
         Layer.LIGHTS: not of_run,
         Layer.RETICLES: not of_run,
-        Layer.VELOCITIES: len(moment.balls.ids) == 0,
+        Layer.VELOCITIES: len(balls.ids) == 0,
         Layer.SECTORS: not any(isinstance(one.shape, Arc) for one in drawn),
         Layer.CELLS: len(cells) == 0,
     }
-    shown = [layer for layer in layers if not empty.get(layer)]
-    panel = replace(panel, entries=legend({one.look for one in drawn}, samples_of(moment.balls, inks), shown))
-    frame = Frame.fit(box_around([(one.shape, one.look) for one in drawn], moment.balls), panel.height, size)
-    tracks = tuple(thinned(track, frame.units(TRACK_TOLERANCE)) for track in moment.tracks)
-    moment, weight = replace(moment, tracks=tracks), weight_for(moment.balls, frame)
+    shown = [layer for layer in layers if layer not in empty and not absent.get(layer)]
+    panel = replace(panel, entries=legend({one.look for one in drawn}, samples_of(balls, inks), shown))
+    frame = Frame.fit(box, panel.height, size)
+    weight = weight_for(balls, frame)
     return Picture(panel, frame, layers, still, moment, inks, names, cells, measures, weight, of_run)
 
 

@@ -62,6 +62,8 @@ class RasterPainter:
         }
         self._kept: dict[Hashable, list[Patch]] = {}
         self._words = lru_cache(maxsize=512)(self._rendered)
+        self._font = lru_cache(maxsize=64)(self._loaded)
+        self._mixed = lru_cache(maxsize=1024)(self._mixture)
 
     # -- the painter's calls ---------------------------------------------------------------------------------------
 
@@ -162,7 +164,10 @@ class RasterPainter:
         whole_y, part_y = divmod(line, FINER_PLACES)
         key = ("circle", part_x, part_y, size, style)
         if key not in self._kept:
-            self._keep(key, self._circle_patches(part_x, part_y, 0.5 * size / FINER_PLACES, style))
+            found = self._circle_patches(part_x, part_y, 0.5 * size / FINER_PLACES, style)
+            for patch, _, _ in found:
+                patch.set_alpha(255, self._pygame.RLEACCEL)
+            self._keep(key, found)
         for patch, left, top in self._kept[key]:
             self.surface.blit(patch, (whole_x + left - LARGEST_KEPT, whole_y + top - LARGEST_KEPT))
 
@@ -226,7 +231,7 @@ class RasterPainter:
             patch.set_alpha(alpha)
             self.surface.blit(patch, (left, top))
 
-    def _mixed(self, ink: str, opacity: float) -> Colour:
+    def _mixture(self, ink: str, opacity: float) -> Colour:
         """The colour of a faint ink on the stage."""
         above, below = self._inks[ink], self._inks[GROUND]
         red, green, blue = (round(opacity * a + (1.0 - opacity) * b) for a, b in zip(above, below, strict=True))
@@ -234,8 +239,12 @@ class RasterPainter:
 
     def _rendered(self, words: str, size: float, ink: str) -> tuple[Any, int]:
         """Words as a surface, and the pixels from its upper edge to their baseline."""
-        font = self._pygame.font.Font(self._pygame.font.get_default_font(), max(1, round(size * self._zoom)))
+        font = self._font(max(1, round(size * self._zoom)))
         return font.render(printable(words), True, self._inks[ink]), font.get_ascent()
+
+    def _loaded(self, pixels: int) -> Any:
+        """The font that pygame brings, its letters of some height."""
+        return self._pygame.font.Font(self._pygame.font.get_default_font(), pixels)
 
 
 def dashes(start: Vector, end: Vector, dash: Sequence[float], zoom: float) -> list[tuple[Vector, Vector]]:

@@ -24,6 +24,9 @@ from carom.shapes.gate import Gate
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from carom.draw.moment import Drawn
     from carom.draw.painter import Painter, Points, Vector
     from carom.draw.picture import Picture
@@ -98,21 +101,27 @@ def draw_tracks(painter: Painter, picture: Picture, count: int = BANDS) -> None:
     for track in moment.tracks:
         if len(track.times) > 1:
             ink = picture.inks.get(track.ball, "ball")
+            # A way between two points that are on the stage is on it too, so most tracks need be looked at once.
+            first, last = track.times.searchsorted([moment.since, moment.time]).tolist()
+            whole = bool(shown(picture, track.points[max(0, first - 1) : last + 1]).all())
             for band, points in bands(track, moment.since, moment.time, count):
-                pieces[band].append((ink, points))
+                pieces[band] += [(ink, stretch) for stretch in ([points] if whole else on_stage(picture, points))]
     for band, inked in enumerate(pieces):
         for ink, points in inked:
-            for stretch in on_stage(picture, points):
-                painter.polyline(stretch, track_style(ink, band, count))
+            painter.polyline(points, track_style(ink, band, count))
+
+
+def shown(picture: Picture, points: Points) -> NDArray[np.bool_]:
+    """Which of some points are on the stage."""
+    stage = picture.frame.stage
+    x, y = points[:, 0], points[:, 1]
+    inside: NDArray[np.bool_] = (stage.left <= x) & (x <= stage.right) & (stage.bottom <= y) & (y <= stage.top)
+    return inside
 
 
 def on_stage(picture: Picture, points: Points) -> list[Points]:
     """The stretches of a line whose points are all on the stage; a lone point makes none."""
-    stage = picture.frame.stage
-    x, y = points[:, 0], points[:, 1]
-    shown = (stage.left <= x) & (x <= stage.right) & (stage.bottom <= y) & (y <= stage.top)
-    if shown.all():
-        return [points]
-    starts = (shown[1:] != shown[:-1]).nonzero()[0] + 1
-    begins, ends = [0, *starts.tolist()], [*starts.tolist(), len(points)]
-    return [points[begin:end] for begin, end in zip(begins, ends, strict=True) if shown[begin] and end - begin > 1]
+    there = shown(picture, points)
+    starts = ((there[1:] != there[:-1]).nonzero()[0] + 1).tolist()
+    pairs = zip([0, *starts], [*starts, len(points)], strict=True)
+    return [points[begin:end] for begin, end in pairs if there[begin] and end - begin > 1]
