@@ -42,5 +42,5 @@ for _ in range(600):
 for words, first, last in zip(("arcs", "12 sides", "64 sides"), before, momenta(), strict=True):
     print(f"{words:>8}: angular momentum {first:.6f}, after ten seconds {last:.6f}")
 
-picture = draw.picture_of(world, "Round rooms", caption="two arcs, 12 sides, 64 sides", trace=trace)
+picture = draw.picture_of(world, "Round rooms", trace=trace, size=760)
 Path("arc_room.svg").write_text(draw.svg(picture), encoding="utf-8")

@@ -46,5 +46,5 @@ for x, y in ((0, 0), (3, 1.5), (6, 0.5)):
 trace = draw.Trace(world)
 for _ in range(360):
     trace.note(world.step(1 / 60))
-picture = draw.picture_of(world, "Belt", caption="3 tangents, 3 arcs, no corner", trace=trace)
+picture = draw.picture_of(world, "Belt", trace=trace, size=640)
 Path("common_tangents.svg").write_text(draw.svg(picture), encoding="utf-8")

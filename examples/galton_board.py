@@ -18,7 +18,7 @@ ROWS, BALLS = 10, 400
 
 world = carom.scenes.galton(rows=ROWS, balls=BALLS).build()
 world.run(seconds=14)
-picture = draw.picture_of(world, "Galton's board", caption=f"{BALLS} balls, {ROWS} rows of pegs")
+picture = draw.picture_of(world, "Galton's board", size=760)
 Path("galton_board.svg").write_text(draw.svg(picture), encoding="utf-8")
 
 # %%

@@ -35,5 +35,5 @@ for _ in range(75):
             met[hit.point[0] > 1.5].add(hit.ball)
 print(f"the bare shelf was met by {len(met[False])} of 3 balls, the guarded one by {len(met[True])}")
 
-picture = draw.picture_of(world, "Ends", caption="left: bare; right: with guard points", trace=trace)
+picture = draw.picture_of(world, "Ends", trace=trace, size=760)
 Path("guard_points.svg").write_text(draw.svg(picture), encoding="utf-8")

@@ -42,5 +42,5 @@ for _ in range(150):
     for hit in hits:
         if hit.kind is carom.HitKind.ENTER and hit.ball is target:
             print(f"in the pocket after {hit.time:.2f} s")
-picture = draw.picture_of(world, "A shot", trace=trace)
+picture = draw.picture_of(world, "A shot", trace=trace, size=760)
 Path("pool_line.svg").write_text(draw.svg(picture), encoding="utf-8")

@@ -18,7 +18,7 @@ world = carom.scenes.stadium().build()
 trace = draw.Trace(world)
 for _ in range(240):
     trace.note(world.step(1 / 60))
-picture = draw.picture_of(world, "Stadium", caption="five balls, the first four seconds", trace=trace)
+picture = draw.picture_of(world, "Stadium", trace=trace, size=760)
 Path("stadium_chaos.svg").write_text(draw.svg(picture), encoding="utf-8")
 
 # %%
@@ -30,7 +30,7 @@ for shift in (0.0, 1e-12):
     world = scene.build()
     ball = world.balls[0]
     ball.position = (ball.position[0] + shift, ball.position[1])
-    runs.append(carom.Recording.of(world, seconds=30))
+    runs.append(carom.Recording.of(world, seconds=40))
 apart = np.linalg.norm(runs[1].positions[:, 0] - runs[0].positions[:, 0], axis=1)
 
 _, axes = plt.subplots(figsize=(7, 3.6), layout="constrained")
