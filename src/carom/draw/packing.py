@@ -65,8 +65,8 @@ def measured(values: NDArray[np.float64], first: float, unit: float, order: int)
 
 def sizes(values: NDArray[np.float64]) -> Plain:
     """A column of sizes, none negative, by their logarithms: each to a thousandth, those of almost nothing as 0."""
-    largest = float(values.max(initial=0.0))
+    largest = float(values.max(initial=0.0)) or 1.0
     levels = np.zeros(len(values), np.int64)
     some = values > 0.0
-    levels[some] = np.maximum(0, np.round(TOP_SIZE + FINENESS * np.log(values[some] / largest)))
+    levels[some] = np.maximum(0, np.round(TOP_SIZE + FINENESS * (np.log(values[some]) - np.log(largest))))
     return packed(levels, 0) | {"largest": largest, "top": TOP_SIZE, "fineness": FINENESS}

@@ -226,7 +226,7 @@ def samples_into(painter: PagePainter, cast: Cast, inks: Sequence[str]) -> Plain
     glyphs: dict[Layer, list[tuple[str, Glyph]]] = {
         Layer.SHAPES: [(look.label, look_sample(look)) for look in LOOKS if look in looks and look is not SENSOR],
         Layer.SENSORS: [("", look_sample(SENSOR))],
-        Layer.BALLS: [("", ball_sample(list(dict.fromkeys(inks))[:SAMPLE_BALLS]))],
+        Layer.BALLS: [("", ball_sample(list(dict.fromkeys(inks or ["ball"]))[:SAMPLE_BALLS]))],
         Layer.TRACKS: [("", track_sample(inks[0] if inks else "ball"))],
         Layer.HITS: [("", hit_sample)],
         Layer.LIGHTS: [("", glow_sample)],

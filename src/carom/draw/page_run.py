@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.frame import STAGE_SIZE, Frame
+from carom.draw.frame import STAGE_SIZE, Frame, longer_side, widened
 from carom.draw.layers import DEFAULT_LAYERS, Layer
 from carom.draw.moment import Balls, Measures, bounces_of
 from carom.draw.packing import Plain, deflated, measured
@@ -27,13 +27,13 @@ from carom.draw.page_painter import PagePainter, plain_style, record_into
 from carom.draw.picture import box_around, weight_for
 from carom.draw.theme import BALL_INKS, DARK, LIGHT, PRINT, ThemeName
 from carom.draw.trace import followed
+from carom.shapes.aabb import Aabb
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from carom.record import Recording
-    from carom.shapes.aabb import Aabb
 
 #: The layers in the order of their switches.
 SWITCHES = (
@@ -65,7 +65,7 @@ def page_run(recording: Recording, theme: ThemeName, layers: Collection[Layer]) 
     """All that the page is given, as JSON can hold it."""
     cast = Cast.of(recording)
     balls = balls_on_stage(recording)
-    frame = Frame.around(box_around([(drawn.shape, drawn.look) for drawn in cast.drawn(colliding=True)], balls), 0.0)
+    frame = Frame.around(stage_box(cast, balls), 0.0)
     weight = weight_for(balls, frame)
     painter = PagePainter()
     record_into(painter, frame, lambda painter, frame: draw_cast(painter, frame, cast, weight))
@@ -125,6 +125,20 @@ def balls_on_stage(recording: Recording) -> Balls:
         radii, ids = np.tile(recording.radii, count), np.tile(recording.ids, count)
     there = np.isfinite(centers).all(axis=1)
     return Balls(centers[there], radii[there], ids[there])
+
+
+def stage_box(cast: Cast, balls: Balls) -> Aabb:
+    """The part of the world to show: the shapes, and the balls that begin no farther from them than they span."""
+    box = box_around([(drawn.shape, drawn.look) for drawn in cast.drawn(colliding=True)], balls)
+    reach = widened(box, longer_side(box))
+    x, y, radii = *balls.centers.T, balls.radii
+    near = (reach.left < x) & (x < reach.right) & (reach.bottom < y) & (y < reach.top)
+    return Aabb(
+        float((x - radii).min(where=near, initial=box.left)),
+        float((y - radii).min(where=near, initial=box.bottom)),
+        float((x + radii).max(where=near, initial=box.right)),
+        float((y + radii).max(where=near, initial=box.top)),
+    )
 
 
 def inks_of(recording: Recording) -> list[str]:
