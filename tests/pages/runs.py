@@ -52,7 +52,7 @@ def changing_run() -> Recording:
         if frame == 15:
             world.remove(leaves)
         if frame == 25:
-            world.add(carom.Ball((2, 3), radius=0.4))
+            world.add(carom.Ball((2, 1), radius=0.4))
         target.can_collide = not 10 <= frame < 20
         recorder.note(world.step(0.1))
     return recorder.finish()
