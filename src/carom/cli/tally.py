@@ -11,8 +11,11 @@ from carom.record.members import label_of, parts
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import NDArray
 
+    from carom.record import Recording
     from carom.world.world import World
 
 BALLS = "ball against ball"
@@ -41,9 +44,14 @@ class Count:
 class Tally:
     """The counts of a run, by label: shapes of one name, and balls among each other, count together."""
 
-    def __init__(self, world: World) -> None:
-        self._labels = {shape.id: label_of(shape) for shape in parts(world.shapes)}
+    def __init__(self, labels: Mapping[int, str]) -> None:
+        self._labels = labels
         self._counts: dict[str, Count] = {}
+
+    @classmethod
+    def of(cls, world: World) -> Tally:
+        """A tally of a world's shapes."""
+        return cls({shape.id or 0: label_of(shape) for shape in parts(world.shapes)})
 
     def add(self, hits: NDArray[Any]) -> None:
         """Count more hits."""
@@ -58,3 +66,10 @@ class Tally:
     def counts(self) -> list[Count]:
         """The counts, the most frequent first."""
         return sorted(self._counts.values(), key=lambda count: (-count.bounces - count.entries, count.label))
+
+
+def shares_of(recording: Recording, until: float) -> list[tuple[str, int]]:
+    """The bounces of a recorded run, until some time of it, by what was hit, the most frequent first."""
+    tally = Tally({key: recording.label_of(key) for key in recording.shape_ids.tolist()})
+    tally.add(np.compress(recording.hits["time"] <= until, recording.hits))
+    return [(count.label, count.bounces) for count in tally.counts() if count.bounces]

@@ -11,7 +11,7 @@ from carom.draw.raster import RasterPainter
 from carom.draw.theme import ThemeName
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection
 
     from carom.draw.frame import Size
     from carom.record import Recording
@@ -30,13 +30,12 @@ class Film:
         self,
         recording: Recording,
         *,
-        shares: Sequence[tuple[str, int]] = (),
         layers: Collection[Layer] = DEFAULT_LAYERS,
         theme: ThemeName = ThemeName.LIGHT,
         size: Size = None,
     ) -> None:
         self._footage = Footage(recording)
-        picture = self._footage.picture(len(recording) - 1, SPAN, shares=shares, layers=layers, size=size)
+        picture = self._footage.picture(len(recording) - 1, SPAN, layers=layers, size=size)
         self._picture = replace(picture, bands=FILM_BANDS)
         self._painter = RasterPainter(picture.frame, theme)
         self._picture.draw_still(self._painter)

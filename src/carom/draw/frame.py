@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import ceil
 from typing import TYPE_CHECKING, TypeAlias
 
 from carom.shapes.aabb import Aabb
@@ -29,6 +30,8 @@ FULL_WIDTH, FULL_HEIGHT = 1184.0, 720.0
 BARE_MARGIN = 8.0
 #: Words are not shrunk further than this; where they would be, there is no panel.
 LEAST_ZOOM = 0.85
+#: A side shorter than this part of the longer one does not say how large the rest is drawn.
+THIN = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +83,8 @@ class Frame:
             return replace(full, zoom=zoom)
         scale = (size - 2.0 * (BARE_MARGIN + PADDING)) / longer_side(box)
         around = 2.0 * (BARE_MARGIN + PADDING)
-        width = round((box.right - box.left) * scale + around)
-        return cls._within(box, panel_height, width, round((box.top - box.bottom) * scale + around), 1.0)
+        width = ceil((box.right - box.left) * scale + around)
+        return cls._within(box, panel_height, width, ceil((box.top - box.bottom) * scale + around), 1.0)
 
     @classmethod
     def _within(cls, box: Aabb, panel_height: float, width: float, height: float, zoom: float) -> Frame:
@@ -90,10 +93,10 @@ class Frame:
         margin = MARGIN if panel else BARE_MARGIN
         beside = PANEL_WIDTH + MARGIN if panel else 0.0
         room_width, room_height = width - beside - 2.0 * margin, height - 2.0 * margin
-        scale = min(
-            (room_width - 2.0 * PADDING) / max(box.right - box.left, 1e-9 * longer_side(box)),
-            (room_height - 2.0 * PADDING) / max(box.top - box.bottom, 1e-9 * longer_side(box)),
-        )
+        rooms = ((room_width, box.right - box.left), (room_height, box.top - box.bottom))
+        thin = THIN * longer_side(box)
+        scales = [(room - 2.0 * PADDING) / extent for room, extent in rooms if extent > thin]
+        scale = min(scales, default=min(room_width, room_height) - 2.0 * PADDING)
         stage = widened(box, PADDING / scale)
         stage_width, stage_height = (stage.right - stage.left) * scale, (stage.top - stage.bottom) * scale
         return cls(

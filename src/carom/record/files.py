@@ -45,16 +45,21 @@ NO_DATE = (1980, 1, 1, 0, 0, 0)
 def write_recording(recording: Recording, path: str | os.PathLike[str]) -> None:
     """Nothing; writes a recording to a file, whole or not at all; raises `RecordingError`."""
     file_name = _checked(path)
+    try:
+        write_whole(path, recording_bytes(recording))
+    except OSError as error:
+        raise RecordingError(f"{file_name}: cannot be written: {error.strerror}") from None
+
+
+def recording_bytes(recording: Recording) -> bytes:
+    """The bytes of the file of a recording."""
     memory = io.BytesIO()
     with ZipFile(memory, "w") as archive:
         _add(archive, HEAD, json.dumps(_head(recording), ensure_ascii=False).encode("utf-8", "surrogatepass"))
         for field, (dtype, axes) in ARRAYS.items():
             _add(archive, field, _packed(getattr(recording, field), dtype, over_frames=axes[0] == "n"))
         _add(archive, "hits", _planes(np.ascontiguousarray(recording.hits).view("u8")))
-    try:
-        write_whole(path, memory.getvalue())
-    except OSError as error:
-        raise RecordingError(f"{file_name}: cannot be written: {error.strerror}") from None
+    return memory.getvalue()
 
 
 def read_recording(kind: type[R], path: str | os.PathLike[str]) -> R:

@@ -19,7 +19,7 @@ def hits_of(*rows: tuple[int, int, float, float]) -> np.ndarray:
 def test_shapes_of_one_name_count_together_whenever_they_are_hit() -> None:
     world = carom.World()
     left, right = (world.add(carom.Point((x, 0), name="post")) for x in (0, 1))
-    tally = Tally(world)
+    tally = Tally.of(world)
     tally.add(hits_of((HitKind.BOUNCE, left.id, 2.0, 5.0), (HitKind.BOUNCE, right.id, 3.0, 4.0)))
     tally.add(hits_of())
     tally.add(hits_of((HitKind.BOUNCE, right.id, 1.0, 1.0)))
@@ -30,7 +30,7 @@ def test_shapes_of_one_name_count_together_whenever_they_are_hit() -> None:
 def test_sensors_count_entries_only() -> None:
     world = carom.World()
     lane = world.add(carom.Segment((0, 0), (1, 0), sensor=True, name="lane"))
-    tally = Tally(world)
+    tally = Tally.of(world)
     tally.add(hits_of((HitKind.ENTER, lane.id, 0.0, 0.0), (HitKind.EXIT, lane.id, 0.0, 0.0)))
     (count,) = tally.counts()
     assert (count.bounces, count.entries) == (0, 1)
@@ -40,7 +40,7 @@ def test_balls_among_each_other_are_one_line_and_the_most_frequent_comes_first()
     world = carom.World()
     wall = world.add(carom.Segment((0, 0), (1, 0), name="wall"))
     first, second = (world.add(carom.Ball((x, 1), 0.1)) for x in (0, 1))
-    tally = Tally(world)
+    tally = Tally.of(world)
     bounces = [(HitKind.BOUNCE, shape.id, 1.0, 1.0) for shape in (first, second, wall)]
     tally.add(hits_of(*bounces))
     assert [(count.label, count.bounces) for count in tally.counts()] == [(BALLS, 2), ("wall", 1)]
