@@ -12,7 +12,19 @@ import carom
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = "import sys; from hatchling.build import build_wheel; build_wheel(sys.argv[1])"
-HEAVY = {"numba", "llvmlite", "pydantic", "pygame", "pyarrow", "typer", "rich", "tomli_w", "platformdirs"}
+HEAVY = {
+    "numba",
+    "llvmlite",
+    "pydantic",
+    "pygame",
+    "imageio_ffmpeg",
+    "matplotlib",
+    "pyarrow",
+    "typer",
+    "rich",
+    "tomli_w",
+    "platformdirs",
+}
 
 
 def python(*arguments: str) -> str:
