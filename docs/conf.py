@@ -39,11 +39,13 @@ nb_execution_raise_on_error = True
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 
 # -- the API -------------------------------------------------------------------------------------------------------
+napoleon_attr_annotations = napoleon_numpy_docstring = False
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 autodoc_default_options = {
     "members": True,
+    "show-inheritance": True,
     "inherited-members": "BaseModel, Exception, IntEnum, StrEnum, ValueError, int, ndarray, tuple",
 }
 python_use_unqualified_type_names = True

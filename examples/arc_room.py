@@ -2,8 +2,8 @@
 ===========================
 
 An elastic ball in a circle keeps its angular momentum, so it never comes near the middle: its ways all touch one
-inner circle. In a polygon, however fine, it soon does. The left room is made of two true arcs, the middle one of 12
-segments, the right one of 64.
+inner circle. In a polygon every bounce changes it a little, and the ball finds its way in, sooner where the sides are
+few. The left room is made of two true arcs, the middle one of 12 segments, the right one of 64.
 """
 
 from math import cos, pi, sin

@@ -37,6 +37,8 @@ def escape_docstring(app: Sphinx, what: str, name: str, thing: Any, options: Any
         parts = CODE.split(line)
         parts[::2] = [re.sub(r"[|*]|(?<=\w)_(?!\w)", r"\\\g<0>", part) for part in parts[::2]]
         lines[number] = "".join(parts)
+    if what in {"attribute", "property"} and lines:
+        lines[0] = f": {lines[0]}"  # else what stands before a colon of the sentence is taken for a type
 
 
 def svg_scraper(block: Any, variables: dict[str, Any], settings: dict[str, Any]) -> str:
@@ -72,6 +74,6 @@ def refuse_network(app: Sphinx, error: Exception | None) -> None:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Connect all of it."""
     app.connect("source-read", link_within)
-    app.connect("autodoc-process-docstring", escape_docstring)
+    app.connect("autodoc-process-docstring", escape_docstring, priority=400)  # before napoleon
     app.connect("build-finished", refuse_network)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

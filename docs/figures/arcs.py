@@ -154,7 +154,7 @@ def arc_contact(sheet: Sheet) -> None:
     rim = plus(contact.point, contact.normal, -contact.setback)
     side = plus((0.0, 0.0), carom.perp(contact.normal), -0.2)
     sheet.span(plus(contact.point, side), plus(rim, side), GOLD)
-    sheet.label(plus(contact.point, side), "setback", 0.1, GOLD, 22)
+    sheet.label((1.85, -1.6), "setback", None, GOLD)
     sheet.dot(contact.point, RED, 4.5)
     sheet.label(contact.point, "q", -pi / 2, RED, 19)
     sheet.dot(arc.center)

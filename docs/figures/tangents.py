@@ -119,7 +119,7 @@ def tangents_shrunk(sheet: Sheet) -> None:
             sheet.line(plus(start, along, -0.25), plus(end, along, 0.25), BLUE, dashed=False, width=2.0)
         sheet.label(one.center, "R₁ − R₂" if less else "R₁", -pi / 2)
         sheet.dot(one.center)
-        sheet.label(far, "a point" if less else "R₂", -pi / 2 + 0.5 * bool(less), away=26 if less else 13)
+        sheet.label(far, "a point" if less else "R₂", -pi / 2, away=58 if less else 13)
         if not less:
             sheet.dot(far)
 
