@@ -56,6 +56,20 @@ def test_a_page_that_is_damaged_says_so(browser: Browser, tmp_path: Path) -> Non
     page.close()
 
 
+def test_it_plays_in_the_frame_that_notebooks_show(browser: Browser) -> None:
+    page = browser.new_page(viewport={"width": 850, "height": 600})
+    said: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.set_content(furnished_run()._repr_html_() or "")
+    (frame,) = page.frames[1:]
+    frame.wait_for_selector("html[data-ready]", state="attached")
+    frame.click("#step-forth")
+    assert frame.evaluate("replay.player.time") > 0.0
+    assert said == []
+    page.close()
+
+
 # -- time --------------------------------------------------------------------------------------------------------------
 
 

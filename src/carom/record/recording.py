@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from carom import checks
+from carom.pictured import Played
 from carom.record.check import check_recording
 from carom.record.files import read_recording, write_recording
 from carom.record.members import label_of, put, shapes_of
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Recording:
+class Recording(Played):
     """What a run was: n frames of m balls, frame 0 the beginning.
 
     `Recording.of(world, seconds)` makes one, `Recorder` one of steps that someone else makes, `load` reads one. Nothing
