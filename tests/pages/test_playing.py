@@ -268,7 +268,9 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
     assert dark.pixel(*corner) == "#fffefb"
 
 
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 568), (844, 390), (1280, 800), (2560, 1300)])
+@pytest.mark.parametrize(
+    ("width", "height"), [(390, 844), (320, 568), (844, 390), (850, 560), (1024, 768), (1280, 800), (2560, 1300)]
+)
 def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
     replay = opened(furnished_run(), width=width, height=height)
     assert replay("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]") == [width, height]
@@ -278,4 +280,7 @@ def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
         assert box is not None
         assert 0 <= box["x"] <= box["x"] + box["width"] <= width
         assert 0 <= box["y"] <= box["y"] + box["height"] <= height
+        covered = "name => { const box = document.querySelector(name).getBoundingClientRect();"
+        covered += " return !document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2).closest(name); }"
+        assert not replay(covered, control)
     assert replay("replay.view.height") > 120

@@ -3,7 +3,7 @@
 // Seconds of the run for which tracks and hits stay, and at most how many hits are drawn.
 const TRACK_SECONDS = 2;
 const HIT_SECONDS = 2.5;
-const MOST_HITS_DRAWN = 600;
+const MOST_HITS_DRAWN = 200;
 // Pixels by which a track may miss the way of a ball.
 const TRACK_TOLERANCE = 0.1;
 
@@ -71,11 +71,13 @@ class Stage {
     if (this.selected >= 0) this.drawSelected();
   }
 
-  /** Finds the hits that are still to be seen: from `firstHit` up to `endHit`. */
+  /** Finds the hits that are still to be seen: from `firstHit` up to `endHit`; where there are many, they fade sooner. */
   findHits() {
     const { time } = this.run.hits;
     this.endHit = countUpTo(time, this.time);
     this.firstHit = Math.max(countUpTo(time, this.time - HIT_SECONDS), this.endHit - MOST_HITS_DRAWN);
+    const crowded = this.firstHit > 0 && this.endHit - this.firstHit === MOST_HITS_DRAWN;
+    this.hitSeconds = crowded ? Math.min(HIT_SECONDS, this.time - time[this.firstHit - 1]) : HIT_SECONDS;
   }
 
   drawGround() {
@@ -128,17 +130,20 @@ class Stage {
   drawLights() {
     const { hits, marks } = this.run;
     const { strokes, seconds, weight } = marks.glow;
-    const ages = new Map();
+    const lights = new Map();
     for (let hit = this.firstHit; hit < this.endHit; hit++) {
-      const age = (this.time - hits.time[hit]) / seconds;
-      if (age < 1 && this.glowing.has(hits.thing[hit])) ages.set(hits.thing[hit], age);
+      const left = 1 - (this.time - hits.time[hit]) / seconds;
+      const shape = hits.thing[hit];
+      if (left <= 0 || !this.glowing.has(shape)) continue;
+      const strength = hits.kind[hit] === BOUNCE ? 0.3 + 0.7 * Math.sqrt(this.strength(hit)) : 1;
+      lights.set(shape, Math.max(left * strength, lights.get(shape) ?? 0));
     }
-    for (const [shape, age] of ages) {
+    for (const [shape, light] of lights) {
       const piece = this.glowing.get(shape);
       if (!this.shown.has(piece.layer)) continue;
       const pose = this.poseOf(piece);
       for (const [width, opacity] of strokes) {
-        this.brush.glow(this.callsOf(piece), pose, width * weight, opacity * (1 - age));
+        this.brush.glow(this.callsOf(piece), pose, width * weight, opacity * light);
       }
     }
   }
@@ -152,14 +157,19 @@ class Stage {
     }
   }
 
+  /** How strong a hit was, 0 to 1, beside the strong ones of the run. */
+  strength(hit) {
+    return Math.min(1, this.run.hits.impulse[hit] / this.run.strong.impulse);
+  }
+
   drawHits() {
-    const { context, view, run } = this;
-    const { smallest, largest } = run.marks.hit;
+    const { context, view } = this;
+    const { smallest, largest } = this.run.marks.hit;
     context.fillStyle = this.brush.inks.hit;
-    this.eachBounce(HIT_SECONDS, (hit, x, y, age) => {
-      const strength = Math.min(1, run.hits.impulse[hit] / run.strong.impulse);
-      context.globalAlpha = 0.75 * (1 - age / HIT_SECONDS);
-      this.disc(view.pixelX(x), view.pixelY(y), (smallest + (largest - smallest) * Math.sqrt(strength)) * view.marks);
+    this.eachBounce(this.hitSeconds, (hit, x, y, age) => {
+      const size = smallest + (largest - smallest) * Math.sqrt(this.strength(hit));
+      context.globalAlpha = 0.75 * (1 - age / this.hitSeconds);
+      this.disc(view.pixelX(x), view.pixelY(y), size * view.marks);
     });
     context.globalAlpha = 1;
   }
