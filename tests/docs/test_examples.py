@@ -25,6 +25,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "galperin_pi": lambda _, printed: [line.split()[2] for line in printed.splitlines()] == ["3", "31", "314", "3141"],
     "galton_board": lambda names, _: abs(names["bins"].mean() - 5) < 0.3 and abs(names["bins"].std() - 1.58) < 0.3,
     "guard_points": lambda _, printed: "by 2 of 3 balls, the guarded one by 3" in printed,
+    "layers": lambda names, printed: len(names["shown"]) == len(printed.splitlines()) > 10,
     "lidar": lambda names, _: names["hits"].found.all(),
     "maxwell_gas": lambda names, _: np.ptp(names["energy"]) < 1e-12 * names["energy"][0],
     "newtons_cradle": lambda names, _: np.ptp(names["energy"]) == 0.0 and len(names["run"].hits) > 15,
@@ -36,7 +37,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "two_modes": lambda _, printed: "discrete: at most 8" in printed and "continuous: at most 0%" in printed,
 }
 #: Those that take longer than five seconds with the compiler off.
-LONG = {"bowl", "galton_board", "maxwell_gas", "pinball_hits", "pool_line", "sinai_billiard", "snapshots"} | {
+LONG = {"bowl", "layers", "galton_board", "maxwell_gas", "pinball_hits", "pool_line", "sinai_billiard", "snapshots"} | {
     "stadium_chaos",
     "two_modes",
 }
