@@ -1,5 +1,7 @@
 // Puts the page together and keeps it going.
 
+const LIST_PAUSE = 100; // milliseconds
+
 /** Remembers how long the last frames took, as `rate` (a second) and `work` (milliseconds of drawing each). */
 class Pace {
   constructor() {
@@ -36,6 +38,7 @@ class Page {
     this.stage = new Stage(element("canvas"), run, this.motion, this.view);
     this.player = new Player(this.motion, () => this.changed());
     this.pace = new Pace();
+    this.listed = 0;
     this.labels = new Labels(run);
     this.list = new HitList(run, this.labels, (hit) => this.jump(hit));
     this.timeline = new Timeline(run, this.motion, (time) => this.seek(time));
@@ -228,11 +231,18 @@ class Page {
     const { time, playing } = this.player;
     this.stage.draw(time);
     this.timeline.show(time);
-    if (!element("hits").hidden) this.list.show(time);
+    this.showHits(time, playing ? now : Infinity);
     element("time").textContent = time.toFixed(this.digits);
     this.showPlaying(playing, time >= this.motion.end);
     this.pace.note(now, performance.now() - began);
     this.statistics.show(time, playing ? now : Infinity, this.pace);
+  }
+
+  /** Brings the list of hits up to a time: a few times a second while it goes on, for no one reads faster. */
+  showHits(time, now) {
+    if (element("hits").hidden || now - this.listed < LIST_PAUSE) return;
+    this.listed = now === Infinity ? 0 : now;
+    this.list.show(time);
   }
 
   showPlaying(playing, ended) {

@@ -27,9 +27,14 @@ class Timeline {
   }
 
   show(time) {
-    this.input.value = time;
     const share = (time - this.motion.start) / (this.motion.end - this.motion.start || 1);
-    this.input.style.setProperty("--played", share);
+    // In steps of a third of a pixel or so: each costs the browser a repaint.
+    const played = share === 1 ? 1 : share.toFixed(4);
+    if (played !== this.played) {
+      this.played = played;
+      this.input.value = time;
+      this.input.style.setProperty("--played", played);
+    }
     this.draw(Math.floor(share * this.counts.length));
   }
 
