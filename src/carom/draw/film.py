@@ -37,7 +37,7 @@ class Film:
         self._footage = Footage(recording)
         picture = self._footage.picture(len(recording) - 1, SPAN, layers=layers, size=size)
         self._picture = replace(picture, bands=FILM_BANDS)
-        self._painter = RasterPainter(picture.frame, theme)
+        self._painter = RasterPainter(picture.frame, theme, quick=True)
         self._picture.draw_still(self._painter)
         self._ground = self._painter.surface.copy()
 

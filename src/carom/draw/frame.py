@@ -81,6 +81,8 @@ class Frame:
         zoom = size / max(full.width, full.height)
         if zoom >= LEAST_ZOOM:
             return replace(full, zoom=zoom)
+        if box.right == box.left and box.top == box.bottom:
+            return cls._within(box, panel_height, size, size, 1.0)
         scale = (size - 2.0 * (BARE_MARGIN + PADDING)) / longer_side(box)
         around = 2.0 * (BARE_MARGIN + PADDING)
         width = ceil((box.right - box.left) * scale + around)

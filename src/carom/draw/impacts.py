@@ -23,7 +23,7 @@ GLOW_TIME = 0.35
 #: Radians a second: how fast the reticle of a hit turns whose speed few exceed; and its angle at the hit itself.
 TURN, FIRST_ANGLE = 2.0 * pi, pi / 4.0
 #: Pixels: half a tangent's length, a normal's length; and how large a shape must be for its own to be drawn.
-HALF_TANGENT, NORMAL_LENGTH, LEAST_EXTENT = 20.0, 26.0, 30.0
+HALF_TANGENT, NORMAL_LENGTH, LEAST_EXTENT = 32.0, 28.0, 30.0
 
 
 def draw_hits(painter: Painter, picture: Picture) -> None:

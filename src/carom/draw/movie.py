@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 from contextlib import suppress
 from pathlib import Path
+from subprocess import PIPE
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
@@ -98,18 +99,17 @@ def encode(film: Film, rate: int, pictures: Iterable[bytes], options: Mapping[st
     source = {"-f": "rawvideo", "-pix_fmt": "rgb24", "-s": f"{width}x{height}", "-r": str(rate), "-i": "-"}
     words = (word for table in (source, options, PLAIN) for pair in table.items() for word in pair)
     command = [encoder(), "-y", "-nostdin", "-loglevel", "error", *words, str(path)]
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    assert process.stdin is not None
-    try:
-        # An encoder that failed has closed its end; what it has to say is read below.
-        with suppress(BrokenPipeError):
-            for picture in pictures:
-                process.stdin.write(picture)
-        _, told = process.communicate()
-    except BaseException:
-        process.kill()
-        process.wait()
-        raise
+    with subprocess.Popen(command, stdin=PIPE, stdout=subprocess.DEVNULL, stderr=PIPE) as process:
+        assert process.stdin is not None
+        try:
+            # An encoder that failed has closed its end; what it has to say is read below.
+            with suppress(BrokenPipeError):
+                for picture in pictures:
+                    process.stdin.write(picture)
+            _, told = process.communicate()
+        except BaseException:
+            process.kill()
+            raise
     if process.returncode != 0:
         lines = told.decode("utf-8", "replace").strip().splitlines()
         raise EncodingError(reason(lines) if lines else f"ffmpeg failed with status {process.returncode}")

@@ -7,6 +7,7 @@ marks are cut into tiles, and tiles that the mark does not touch are left out.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import ceil, floor, hypot, pi
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -138,6 +139,29 @@ def surface(colour: Colour, cover: Floats) -> Any:
     made.fill((*colour, 0))
     pygame.surfarray.pixels_alpha(made)[:] = np.rint(255.0 * cover)
     return made
+
+
+def polyline_patches(points: Sequence[Vector], width: float, colour: Colour, size: tuple[int, int]) -> list[Patch]:
+    """The patch of a line through `points`, its ends cut off square: the parts of a translucent line meet there."""
+    left, top, right, bottom = Extent.of(points, width).cut(*size)
+    if left >= right or top >= bottom:
+        return []
+    cover = np.zeros((right - left, bottom - top))
+    last = len(points) - 2
+    for number, (start, end) in enumerate(pairwise(points)):
+        x, y, to_x, to_y = Extent.of((start, end), width).cut(*size)
+        if x < to_x and y < to_y:
+            across, down = np.arange(x + 0.5, to_x)[:, None], np.arange(y + 0.5, to_y)[None, :]
+            piece = np.clip(0.5 * width + 0.5 - from_segment(start, end)(across, down), 0.0, min(1.0, width))
+            length = hypot(end[0] - start[0], end[1] - start[1]) or 1.0
+            along = ((across - start[0]) * (end[0] - start[0]) + (down - start[1]) * (end[1] - start[1])) / length
+            if number == 0:
+                piece *= np.clip(along + 0.5, 0.0, 1.0)
+            if number == last:
+                piece *= np.clip(length - along + 0.5, 0.0, 1.0)
+            part = cover[x - left : to_x - left, y - top : to_y - top]
+            np.maximum(part, piece, out=part)
+    return [(surface(colour, cover), left, top)] if cover.any() else []
 
 
 def polygon_patches(points: Sequence[Vector], colour: Colour, size: tuple[int, int]) -> list[Patch]:
