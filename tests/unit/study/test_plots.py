@@ -179,6 +179,8 @@ def test_maxwells_law_has_the_mean_energy_that_it_was_given() -> None:
     masses = np.array([1.0, 1.0, 4.0])
     density = plots.maxwell(speed, masses, 3.0)
     assert np.trapezoid(density, speed) == pytest.approx(1.0, rel=1e-6)
+    light, heavy = (plots.maxwell(speed, np.array([mass]), 3.0) for mass in (1.0, 4.0))
+    assert density == pytest.approx((2.0 * light + heavy) / 3.0)
     one = plots.maxwell(speed, np.array([2.0]), 3.0)
     assert np.trapezoid(0.5 * 2.0 * speed**2 * one, speed) == pytest.approx(3.0, rel=1e-6)
 
