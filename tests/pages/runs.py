@@ -6,7 +6,7 @@ from math import pi
 import carom
 from carom import Recording
 
-NASTY = "</script><b>bold</b> <!-- & \N{LINE SEPARATOR} \"quoted\" '{{script}}' \N{HEAVY BLACK HEART}"
+NASTY = "</script ></script><b>bold</b> <!-- & \N{LINE SEPARATOR} \"quoted\" '{{script}}' \N{HEAVY BLACK HEART}"
 
 
 def furnished() -> carom.World:
@@ -56,6 +56,16 @@ def changing_run() -> Recording:
         target.can_collide = not 10 <= frame < 20
         recorder.note(world.step(0.1))
     return recorder.finish()
+
+
+@cache
+def sleepy_run() -> Recording:
+    """A ball that rolls and one that falls asleep on the floor."""
+    world = carom.World(gravity=(0.0, -10.0), sleep_speed=0.1, sleep_time=0.2)
+    world.add(carom.Segment((0, 0), (9, 0), elasticity=0.0))
+    world.add(carom.Ball((1, 0.4), radius=0.4))
+    world.add(carom.Ball((3, 0.4), radius=0.4, velocity=(2, 0)))
+    return Recording.of(world, 1.0)
 
 
 @cache

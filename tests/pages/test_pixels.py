@@ -91,6 +91,12 @@ def test_a_target_that_drops_looks_switched_off(opened: Opened) -> None:
         pictures[time] = replay.picture()
     assert pictures[0.05] == pictures[0.5] == pictures[2.5]
     assert pictures[1.2] == pictures[1.8] != pictures[0.5]
+    seen = {}
+    for time in (0.5, 1.2):
+        replay.seek(time)
+        seen[time] = {replay.pixel(x, 0.0) for x in np.linspace(0.1, 3.9, 60)}
+    assert LIGHT.inks["stage"] not in seen[0.5]
+    assert LIGHT.inks["stage"] in seen[1.2]
 
 
 def test_balls_come_and_go(opened: Opened) -> None:

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser
 from carom.draw.layers import Layer
 from carom.world.hits import HitKind
 from tests.pages.conftest import Replay, text_of
-from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run
+from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run, sleepy_run
 
 Opened = Callable[..., Replay]
 
@@ -174,16 +174,20 @@ def test_a_hit_in_the_list_leads_to_it(opened: Opened) -> None:
 def test_the_ball_touches_what_it_hits(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()
+    at = "ball => { const at = replay.motion.ballAt(ball, replay.player.time); return [at.x, at.y]; }"
+    balls = recording.ids.tolist()
+    met = 0
     for number, hit in enumerate(recording.hits):
-        if hit["kind"] != HitKind.BOUNCE:
+        if hit["kind"] != HitKind.BOUNCE or np.count_nonzero(recording.hits["time"] == hit["time"]) > 1:
             continue
-        ball = int(np.flatnonzero(recording.ids == hit["ball"])[0])
         replay("hit => replay.jump(hit)", number)
-        place = replay(
-            "ball => { const at = replay.motion.ballAt(ball, replay.player.time); return [at.x, at.y]; }", ball
-        )
-        distance = float(np.hypot(*(np.array(place) - hit["point"])))
-        assert distance == pytest.approx(float(recording.radii[ball]), abs=2e-3)
+        for member, side in ((hit["ball"], 1.0), (hit["shape"], -1.0)):
+            if member in balls:
+                ball = balls.index(member)
+                center = hit["point"] + side * recording.radii[ball] * hit["normal"]
+                assert replay(at, ball) == pytest.approx(center.tolist(), abs=2e-3)
+                met += side < 0
+    assert met > 0
 
 
 def test_the_next_and_the_last_hit_are_a_key_away(opened: Opened) -> None:
@@ -227,6 +231,17 @@ def test_the_statistics_are_those_of_the_run(opened: Opened) -> None:
     assert f"hits so far {np.count_nonzero(recording.hits['time'] <= 1.0)} balls there 4 balls asleep 0" in words
     assert f"frames {len(recording)} balls 4 shapes {len(recording.shape_ids)}" in words
     assert f"box tests {recording.statistics['box_tests']:,}" in words
+
+
+def test_the_statistics_know_who_sleeps(opened: Opened) -> None:
+    replay = opened(sleepy_run())
+    asleep = sleepy_run().asleep
+    replay.page.click("#tab-statistics")
+    for frame in (0, 59):
+        replay.seek(float(sleepy_run().times[frame]))
+        words = replay.page.inner_text("#statistics").replace("\n", " ")
+        assert f"balls asleep {np.count_nonzero(asleep[frame])} " in words
+    assert asleep[59].any()
 
 
 # -- looks -------------------------------------------------------------------------------------------------------------
