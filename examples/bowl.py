@@ -14,7 +14,7 @@ import carom
 from carom import draw
 from carom.study import plots
 
-_, panels = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained", sharey=True)
+_, panels = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
 world = carom.World(gravity=(0, -9.8), detection="continuous")
 for middle, elasticity, axes in ((0, 1.0, panels[0]), (5, 0.5, panels[1])):
     alone = carom.World(gravity=(0, -9.8), detection="continuous")

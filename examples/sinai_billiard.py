@@ -2,7 +2,7 @@
 ==================================================
 
 A square room round a disc: the disc spreads the ways of a ball so thoroughly that in the long run it spends the same
-time in equal areas. Five balls, two minutes.
+time in equal areas. Five balls, a thousand seconds.
 """
 
 import matplotlib.pyplot as plt
@@ -11,7 +11,7 @@ import carom
 from carom.study import plots
 
 world = carom.scenes.sinai().build()
-run = carom.Recording.of(world, seconds=120)
+run = carom.Recording.of(world, seconds=1000, dt=1 / 10)
 plots.heat_map(run, cells=32)
 plt.show()
 

@@ -52,7 +52,7 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
     else:
         axes.plot(recording.times, total, color=SECOND, label="kinetic and potential")
         axes.plot(recording.times, kinetic, color=FIRST, label="kinetic")
-        axes.legend(frameon=False)
+        axes.legend(frameon=False, loc="upper right", ncols=2)
     axes.set_ylim(*_room_for(np.concatenate((kinetic, total))))
     return _named(axes, "Energy", "time in s", "energy")
 
@@ -85,7 +85,8 @@ def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int =
 def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80) -> Axes:
     """The map of where balls were: each cell's colour is its share of all balls' time, shapes are outlined.
 
-    `cells` is how many there are along the longer side.
+    Colours go by the root of the share, so that what is rarely visited can be told from what never is. `cells` is how
+    many there are along the longer side.
     """
     cells = whole("cells", cells, 1, MOST_CELLS)
     axes = axes or _new_axes()
@@ -98,7 +99,9 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
         places[:, 0], places[:, 1], bins=(columns, rows), range=((left, right), (bottom, top))
     )
     share = counts.T / max(1, len(places))
-    image = axes.imshow(share, origin="lower", extent=(left, right, bottom, top), cmap="magma", interpolation="nearest")
+    norm = needed("matplotlib.colors", "matplotlib", "study", "plots").PowerNorm(0.5, vmin=0.0)
+    extent = (left, right, bottom, top)
+    image = axes.imshow(share, norm=norm, origin="lower", extent=extent, cmap="magma", interpolation="nearest")
     axes.figure.colorbar(image, ax=axes, label="share of the time", shrink=0.8)
     _outline(recording, axes)
     axes.set_aspect("equal")
@@ -158,10 +161,10 @@ def _named(axes: Axes, title: str, x: str, y: str) -> Axes:
 
 
 def _room_for(values: Floats) -> tuple[float, float]:
-    """Limits that hold 0 and all `values`: what is constant shall look so."""
+    """Limits that hold 0 and all `values`, so that what is constant looks so, with room above for a legend."""
     low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
-    room = 0.08 * (high - low) or 1.0
-    return low - (room if low < 0.0 else 0.0), high + room
+    room = 0.05 * (high - low) or 1.0
+    return low - (room if low < 0.0 else 0.0), high + 3.0 * room
 
 
 def _extent(recording: Recording, places: Floats) -> tuple[float, float, float, float]:
