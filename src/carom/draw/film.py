@@ -37,9 +37,10 @@ class Film:
         self._footage = Footage(recording)
         picture = self._footage.picture(len(recording) - 1, SPAN, layers=layers, size=size)
         self._picture = replace(picture, bands=FILM_BANDS)
-        self._painter = RasterPainter(picture.frame, theme, quick=True)
+        self._painter = RasterPainter(picture.frame, theme)
         self._picture.draw_still(self._painter)
         self._ground = self._painter.surface.copy()
+        self._painter.quick = True
 
     @property
     def recording(self) -> Recording:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.draw.painter import Style
 from carom.draw.patches import (
     Extent,
     from_arc,
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Sequence
 
     from carom.draw.frame import Frame
-    from carom.draw.painter import Lettering, Points, Style, Vector
+    from carom.draw.painter import Lettering, Points, Vector
     from carom.draw.patches import Colour, Distance, Patch
     from carom.draw.picture import Picture
 
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 LARGEST_KEPT, MOST_KEPT = 96, 4000
 #: Small circles stand at places of a grid that is so many times finer than the pixels, to be drawn once for many.
 FINER_PLACES = 4
+#: What a quick painter draws as pygame does: lines up to so many pixels wide, and areas with up to so many corners.
+QUICK_WIDTH, QUICK_CORNERS = 2.0, 4
 #: The ink that faint lines are mixed with.
 GROUND = "stage"
 
@@ -51,11 +54,12 @@ def png(picture: Picture, theme: ThemeName = ThemeName.LIGHT) -> bytes:
 class RasterPainter:
     """Draws into `surface`, of the size that the frame says; lengths and letters are the frame's, times its zoom.
 
-    One that is `quick` draws lines through many points less finely. Raises `MissingExtra` without pygame.
+    While it is `quick`, thin lines, those through many points, and arrows' heads are drawn less finely. Raises
+    `MissingExtra` without pygame.
     """
 
     def __init__(self, frame: Frame, theme: ThemeName = ThemeName.LIGHT, *, quick: bool = False) -> None:
-        self._quick = quick
+        self.quick = quick
         self._pygame = needed("pygame", "pygame-ce", "draw", "raster pictures")
         self._pygame.font.init()
         self._frame = frame
@@ -78,6 +82,10 @@ class RasterPainter:
     def segment(self, start: Vector, end: Vector, style: Style) -> None:
         """Draw a straight line."""
         a, b = self._pixel(*start), self._pixel(*end)
+        if self.quick and style.stroke is not None and style.opacity == 1.0 and style.width <= QUICK_WIDTH:
+            for piece in dashes(a, b, style.dash, self._zoom):
+                self._quick_line(piece, style, style.stroke)
+            return
 
         def made(colour: Colour, width: float) -> list[Patch]:
             pieces = [from_segment(*piece) for piece in dashes(a, b, style.dash, self._zoom)]
@@ -121,7 +129,7 @@ class RasterPainter:
             self._area(places, style, self._inks[style.fill])
         if style.stroke is not None:
             ends = places if style.fill is None else [*places, places[0]]
-            if self._quick:
+            if self.quick:
                 self._quick_line(ends, style, style.stroke)
             else:
                 width, size = style.width * self._zoom, self.surface.get_size()
@@ -215,6 +223,10 @@ class RasterPainter:
                 veil = self._pygame.Surface(box.size)
                 veil.fill(colour)
                 self._blit([(veil, box.left, box.top)], opacity)
+            return
+        if self.quick and style.fill is not None and opacity == 1.0 and len(places) <= QUICK_CORNERS:
+            self._pygame.draw.polygon(self.surface, colour, places)
+            self._quick_line([*places, places[0]], Style(width=1.0), style.fill)
             return
         key = ("area", tuple(places), colour)
         found = self._kept.get(key)

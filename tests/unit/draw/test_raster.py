@@ -102,6 +102,9 @@ def test_a_quick_line_is_where_the_fine_one_is() -> None:
     points = np.array([(2.0, 2.0), (8.0, 7.0), (14.0, 3.0)])
     for made in (quick, fine):
         made.polyline(points, draw.Style("text", width=2.0, opacity=0.8))
+        made.segment((15.0, 1.0), (18.0, 9.0), draw.Style("text", width=1.0))
+        made.segment((1.0, 9.0), (12.0, 9.0), draw.Style("text", width=2.0, dash=(8.0, 4.0)))
+        made.polyline(np.array([(1.0, 6.0), (3.0, 8.0), (1.0, 8.0)]), BLACK)
     assert cover(quick).sum() == pytest.approx(cover(fine).sum(), rel=0.25)
     assert np.abs(blurred(cover(quick)) - blurred(cover(fine))).max() < 0.3
 
