@@ -284,7 +284,7 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
 
 
 @pytest.mark.parametrize(
-    ("width", "height"), [(390, 844), (320, 568), (844, 390), (850, 560), (1024, 768), (1280, 800), (2560, 1300)]
+    ("width", "height"), [(390, 844), (320, 568), (844, 390), (736, 560), (850, 560), (1024, 768), (1280, 800), (2560, 1300)]
 )
 def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
     replay = opened(furnished_run(), width=width, height=height)
