@@ -1,11 +1,15 @@
 """A real Chromium, where the machine has one."""
 
+from __future__ import annotations
+
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from playwright.sync_api import Browser, Error, sync_playwright
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 #: What Linux distributions and others call it.
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
@@ -28,7 +32,12 @@ def found(own: str) -> str | None:
 
 @contextmanager
 def chromium() -> Iterator[Browser | None]:
-    """A running Chromium, or None where there is none that runs."""
+    """A running Chromium, or None where there is none that runs, or nothing to drive it."""
+    try:
+        from playwright.sync_api import Error, sync_playwright
+    except ImportError:
+        yield None
+        return
     with sync_playwright() as playwright:
         path = found(playwright.chromium.executable_path)
         if path is None:

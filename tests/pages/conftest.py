@@ -1,21 +1,21 @@
 """Pages that play runs, opened in a real Chromium; skipped where there is none."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 from carom import Recording
 from carom.draw.page import replay_page
-
-pytest.importorskip("playwright", reason="no playwright: the replay page is not played")
-
-from playwright.sync_api import Browser, Page
-
 from tests.pages.chromium import chromium
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
 
 #: The page as text is made once for each run.
 text_of = cache(replay_page)

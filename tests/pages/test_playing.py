@@ -1,17 +1,22 @@
 """The replay page plays, scrubs, steps, lists hits, switches layers, zooms: in a real Chromium."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser
 
 from carom.draw.layers import Layer
 from carom.world.hits import HitKind
 from tests.pages.conftest import Replay, text_of
 from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run, sleepy_run
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 Opened = Callable[..., Replay]
 
@@ -284,7 +289,8 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
 
 
 @pytest.mark.parametrize(
-    ("width", "height"), [(390, 844), (320, 568), (844, 390), (736, 560), (850, 560), (1024, 768), (1280, 800), (2560, 1300)]
+    ("width", "height"),
+    [(390, 844), (320, 568), (844, 390), (736, 560), (850, 560), (1024, 768), (1280, 800), (2560, 1300)],
 )
 def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
     replay = opened(furnished_run(), width=width, height=height)
