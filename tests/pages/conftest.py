@@ -15,7 +15,7 @@ from carom.draw.page import replay_page
 from tests.pages.chromium import chromium
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, BrowserContext, Page
 
 #: The page as text is made once for each run.
 text_of = cache(replay_page)
@@ -87,8 +87,14 @@ def browser() -> Iterator[Browser]:
         yield found
 
 
+@pytest.fixture(scope="session")
+def context(browser: Browser) -> BrowserContext:
+    """What all pages are opened in: a new one for each would take longer than most tests."""
+    return browser.new_context()
+
+
 @pytest.fixture
-def opened(browser: Browser, tmp_path: Path) -> Iterator[Callable[..., Replay]]:
+def opened(context: BrowserContext, tmp_path: Path) -> Iterator[Callable[..., Replay]]:
     """Opens the page of a run; it must load without a word on the console, and ask for nothing."""
     pages: list[Page] = []
 
@@ -98,8 +104,10 @@ def opened(browser: Browser, tmp_path: Path) -> Iterator[Callable[..., Replay]]:
         return open_file(path, width, height, scheme)
 
     def open_file(path: Path, width: int, height: int, scheme: str) -> Replay:
-        page = browser.new_page(viewport={"width": width, "height": height}, color_scheme=scheme)
+        page = context.new_page()
         pages.append(page)
+        page.set_viewport_size({"width": width, "height": height})
+        page.emulate_media(color_scheme=scheme)
         replay = Replay(page)
         page.on("console", lambda message: replay.said.append(message.text))
         page.on("pageerror", lambda error: replay.said.append(str(error)))

@@ -40,7 +40,7 @@ def packed(values: ArrayLike, order: int) -> Plain:
 
 def deflated(data: bytes) -> str:
     """Bytes, deflated, as text."""
-    return b64encode(zlib.compress(data, 9)).decode("ascii")
+    return b64encode(zlib.compress(data)).decode("ascii")
 
 
 def coded(numbers: NDArray[np.int64]) -> bytes:
