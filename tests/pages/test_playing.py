@@ -226,6 +226,13 @@ def test_the_list_can_be_filtered_by_name(opened: Opened) -> None:
     assert replay.page.is_visible("#rows")
 
 
+def test_the_list_says_what_it_leaves_out(opened: Opened) -> None:
+    replay = opened(furnished_run())
+    kept = len(furnished_run().hits)
+    replay("replay.list.hits.total = 1234567, replay.list.filter('')")
+    assert replay.page.inner_text("#hits-note") == f"the {kept} strongest of 1,234,567 hits"
+
+
 def test_the_statistics_are_those_of_the_run(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()
