@@ -1,9 +1,10 @@
 """Recordings as files.
 
 A file is a ZIP archive: `recording.json` with the scene, names, counts and lengths, and each array as the bytes of its
-numbers. Frames follow each other closely, so numbers over frames are written as the differences of the differences of
-their bits, as 64-bit integers, and all numbers of 8 bytes with first bytes before second bytes: what is small then is
-a row of zeros, which ZIP's own compression makes vanish. Every bit comes back. ZIP's check sums tell damage.
+numbers. Frames follow each other closely, so numbers over frames are written as differences of their bits, as 64-bit
+integers, and where what they tell moves steadily, as differences of these. All numbers of 8 bytes stand with first
+bytes before second bytes: what is small then is a row of zeros, which ZIP's own compression makes vanish. Every bit
+comes back. ZIP's check sums tell damage.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ if TYPE_CHECKING:
 #: The form of the files; a library that does not know it refuses them.
 FORMAT = 1
 HEAD = "recording.json"
-#: How often differences are taken along the frames.
-DIFFERENCES = 2
+#: How often differences are taken along the frames; in between the hits, velocities stay and places move steadily.
+DIFFERENCES = {"times": 2, "positions": 2, "velocities": 1, "poses": 2}
 #: Numbers of hits, 8 bytes each.
 HIT_WORDS = HIT.itemsize // 8
 #: ZIP wants a date in each entry; one that is always the same makes the same bytes of the same recording.
@@ -56,9 +57,10 @@ def recording_bytes(recording: Recording) -> bytes:
     memory = io.BytesIO()
     with ZipFile(memory, "w") as archive:
         _add(archive, HEAD, json.dumps(_head(recording), ensure_ascii=False).encode("utf-8", "surrogatepass"))
-        for field, (dtype, axes) in ARRAYS.items():
-            _add(archive, field, _packed(getattr(recording, field), dtype, over_frames=axes[0] == "n"))
-        _add(archive, "hits", _planes(np.ascontiguousarray(recording.hits).view("u8")))
+        for field, (dtype, _) in ARRAYS.items():
+            _add(archive, field, _packed(getattr(recording, field), dtype, DIFFERENCES.get(field, 0)))
+        rows = np.ascontiguousarray(recording.hits).view("u8").reshape(-1, HIT_WORDS)
+        _add(archive, "hits", _planes(rows.T))
     return memory.getvalue()
 
 
@@ -118,9 +120,9 @@ def _fields(archive: ZipFile) -> dict[str, Any]:
     for field, (dtype, axes) in ARRAYS.items():
         shape = tuple(axis if isinstance(axis, int) else head["lengths"][COUNTED[axis]] for axis in axes)
         size = np.dtype(dtype).itemsize * int(np.prod(shape, dtype=object))
-        fields[field] = _unpacked(_entry(archive, field, size), dtype, shape, over_frames=axes[0] == "n")
+        fields[field] = _unpacked(_entry(archive, field, size), dtype, shape, DIFFERENCES.get(field, 0))
     words = _entry(archive, "hits", HIT.itemsize * head["lengths"]["hits"])
-    fields["hits"] = _unplaned(words).view(HIT)
+    fields["hits"] = np.ascontiguousarray(_unplaned(words).reshape(HIT_WORDS, -1).T).reshape(-1).view(HIT)
     return fields
 
 
@@ -131,18 +133,18 @@ def _entry(archive: ZipFile, name: str, size: int) -> bytes:
     return archive.read(name)
 
 
-def _packed(values: NDArray[Any], dtype: str, *, over_frames: bool) -> bytes:
+def _packed(values: NDArray[Any], dtype: str, differences: int) -> bytes:
     """An array as the bytes that a file holds."""
     if dtype == "?":
         return values.tobytes()
     words = np.ascontiguousarray(values).view("u8")
-    for order in range(DIFFERENCES if over_frames else 0):
+    for order in range(differences):
         # Integers wrap around, there and back.
         words = np.concatenate([words[: order + 1], np.diff(words[order:], axis=0)])
     return _planes(words)
 
 
-def _unpacked(data: bytes, dtype: str, shape: tuple[int, ...], *, over_frames: bool) -> NDArray[Any]:
+def _unpacked(data: bytes, dtype: str, shape: tuple[int, ...], differences: int) -> NDArray[Any]:
     """The array of which `_packed` has made bytes."""
     if dtype == "?":
         flags = np.frombuffer(data, "u1").reshape(shape)
@@ -150,7 +152,7 @@ def _unpacked(data: bytes, dtype: str, shape: tuple[int, ...], *, over_frames: b
             raise RecordingError("a flag must be 0 or 1")
         return flags.view("?")
     words = _unplaned(data).reshape(shape)
-    for order in reversed(range(DIFFERENCES if over_frames else 0)):
+    for order in reversed(range(differences)):
         words[order:] = np.cumsum(words[order:], axis=0, dtype="u8")
     return words.view(dtype)
 

@@ -72,6 +72,7 @@ def test_a_recording_is_drawn_later(here: Path, capsys: pytest.CaptureFixture[st
     assert ">0\N{NO-BREAK SPACE}s<" in (here / "begin.svg").read_text(encoding="utf-8")
     assert (here / "drop.gif").read_bytes().startswith(b"GIF89a")
     assert ">floor<" in (here / "end.svg").read_text(encoding="utf-8")
+    assert ">floor<" not in (here / "begin.svg").read_text(encoding="utf-8")
     capsys.readouterr()
     assert status_of("check", "drop.carom") == 0
     assert capsys.readouterr().out == "drop: good: 31 frames, 1 ball, 1 hit\n"

@@ -162,6 +162,7 @@ def test_what_interrupts_the_frames_ends_the_encoder_too(tmp_path: Path, recordi
 
     with pytest.raises(KeyboardInterrupt):
         write_film(film, tmp_path / "run.mp4", stop)
+    assert b"moov" not in b"".join(path.read_bytes() for path in tmp_path.iterdir())  # which ends a film that is whole
 
 
 @pytest.mark.parametrize(

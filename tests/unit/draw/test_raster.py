@@ -82,6 +82,7 @@ def test_a_line_through_points_has_one_darkness_where_its_parts_meet() -> None:
     made.polyline(points, draw.Style("text", width=2.0, opacity=0.5))
     assert cover(made).max() <= 0.51
     assert cover(made).sum() == pytest.approx(0.5 * 2.0 * 180.0, rel=0.03)
+    assert cover(made)[79, 79] == pytest.approx(0.5, abs=0.02)
 
 
 def test_parts_of_a_translucent_line_meet_without_a_bead() -> None:
