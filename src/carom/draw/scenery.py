@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from carom.draw.frame import MARGIN
 from carom.draw.looks import GATE, MOVING, SENSOR, rounded
 from carom.draw.marks import (
     VELOCITY,
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from carom.draw.frame import Frame
     from carom.draw.moment import Drawn
     from carom.draw.painter import Painter, Points, Vector
     from carom.draw.picture import Picture
@@ -91,7 +93,18 @@ def draw_velocities(painter: Painter, picture: Picture) -> None:
         speed = (vx * vx + vy * vy) ** 0.5
         pixels = FAST_ARROW * min(2.0, speed / picture.measures.speed)
         if pixels >= SHORTEST_ARROW and picture.frame.shows(x, y):
-            long_arrow_mark(painter, picture.frame, (x, y), (vx / speed, vy / speed), pixels, VELOCITY)
+            direction = vx / speed, vy / speed
+            pixels = min(pixels, room_for(picture.frame, (x, y), direction))
+            long_arrow_mark(painter, picture.frame, (x, y), direction, pixels, VELOCITY)
+
+
+def room_for(frame: Frame, place: Vector, direction: Vector) -> float:
+    """How many pixels an arrow from a place on the stage may have before it is over the panel or off the picture."""
+    stage, beyond = frame.stage, frame.units(0.75 * MARGIN)
+    (x, y), (dx, dy) = place, direction
+    across = (stage.right + beyond - x) / dx if dx > 0.0 else (stage.left - beyond - x) / (dx or -1e-300)
+    along = (stage.top + beyond - y) / dy if dy > 0.0 else (stage.bottom - beyond - y) / (dy or -1e-300)
+    return min(across, along) * frame.scale
 
 
 def draw_tracks(painter: Painter, picture: Picture, count: int = BANDS) -> None:

@@ -152,6 +152,23 @@ def test_velocities_are_arrows_of_what_moves() -> None:
     assert lengths[0] == pytest.approx(2.0 * lengths[1], rel=0.02)
 
 
+@pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1)])
+def test_arrows_end_beside_the_stage_at_the_latest(way: tuple[int, int]) -> None:
+    world = carom.World()
+    world.add(carom.Circle((0, 0), 5))
+    for number in range(40):
+        world.add(carom.Ball((0, 0.1 * number), 0.05, velocity=(0.01, 0)))
+    world.add(carom.Ball((4.9 * way[0], 4.9 * way[1]), 0.05, velocity=(50 * way[0], 50 * way[1])))
+    picture = draw.picture_of(world, "name", layers=[Layer.VELOCITIES])
+    tips = [mark for mark in drawn(picture)["velocities"] if mark.tag == f"{SVG}polygon"]
+    x, y = zip(*np.array(tips[-1].get("points").split(), float).reshape(-1, 2).tolist(), strict=True)
+    frame = picture.frame
+    assert frame.stage_left - 20.0 < min(x)
+    assert max(x) < frame.panel_left
+    assert frame.stage_top - 20.0 < min(y)
+    assert max(y) < frame.height
+
+
 # -- impacts -----------------------------------------------------------------------------------------------------------
 
 
