@@ -28,6 +28,7 @@ SCRIPTS = (
     "view",
     "brush",
     "names",
+    "tracks",
     "stage",
     "player",
     "panel",

@@ -104,7 +104,8 @@ class HitList {
     const [when, dot, what, fast] = row.parts;
     when.textContent = time[hit].toFixed(2);
     dot.classList.toggle("sensor", kind[hit] !== BOUNCE);
-    dot.style.setProperty("--size", `${kind[hit] === BOUNCE ? 4 + 8 * Math.sqrt(Math.min(1, impulse[hit] / this.strong)) : 8}px`);
+    const size = kind[hit] === BOUNCE ? 4 + 8 * Math.sqrt(Math.min(1, impulse[hit] / this.strong)) : 8;
+    dot.style.setProperty("--size", `${size}px`);
     what.textContent = this.labels.ofHit(hit, this.hits, KINDS[kind[hit]]);
     what.title = what.textContent;
     fast.textContent = kind[hit] === BOUNCE ? short(speed[hit]) : "";

@@ -106,8 +106,9 @@ class StatisticsPanel {
       if (state !== ABSENT) there++;
       if (state === 2) asleep++;
     }
-    const before = hits.count === hits.total ? grouped(countUpTo(hits.time, time)) : `${grouped(countUpTo(hits.time, time))} of those kept`;
-    this.tellNow([before, grouped(there), grouped(asleep), short(energy[frame])]);
+    const before = grouped(countUpTo(hits.time, time));
+    const kept = hits.count === hits.total ? before : `${before} of those kept`;
+    this.tellNow([kept, grouped(there), grouped(asleep), short(energy[frame])]);
     this.drawn([`${pace.rate.toFixed(0)} frames a second`, `${pace.work.toFixed(1)} ms a frame`]);
     this.drawChart(frame);
   }

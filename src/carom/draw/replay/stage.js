@@ -1,11 +1,8 @@
 // Draws the run at one time: what stands still from a picture kept for the view, the rest anew in every frame.
 
-// Seconds of the run for which tracks and hits stay, and at most how many hits are drawn.
-const TRACK_SECONDS = 2;
+// Seconds of the run for which hits stay, and at most how many of them are drawn.
 const HIT_SECONDS = 2.5;
 const MOST_HITS_DRAWN = 200;
-// Pixels by which a track may miss the way of a ball.
-const TRACK_TOLERANCE = 0.1;
 
 class Stage {
   constructor(canvas, run, motion, view) {
@@ -18,14 +15,16 @@ class Stage {
     this.brush = new Brush(this.context, view, run.styles);
     this.keptBrush = new Brush(this.kept.getContext("2d"), view, run.styles);
     this.shown = new Set(run.layers.filter((layer) => layer.on).map((layer) => layer.name));
-    this.fixed = run.pieces.filter((piece) => piece.mover < 0 && (run.shapes[piece.shape]?.switched ?? -1) < 0);
-    this.changing = run.pieces.filter((piece) => !this.fixed.includes(piece));
+    const changes = (piece) => piece.mover >= 0 || run.shapes[piece.shape]?.switched >= 0;
+    this.fixed = run.pieces.filter((piece) => !changes(piece));
+    this.changing = run.pieces.filter(changes);
     this.glowing = new Map();
     for (const piece of run.pieces) {
       if (piece.layer !== "shapes" && piece.layer !== "sensors") continue;
       if (!this.glowing.has(piece.shape)) this.glowing.set(piece.shape, piece);
     }
     this.names = new Names(this);
+    this.tracks = new Tracks(this);
     this.selected = -1;
     this.stale = true;
   }
@@ -57,7 +56,7 @@ class Stage {
     this.findHits();
     this.drawGround();
     this.drawFixed();
-    if (this.shown.has("tracks")) this.drawTracks();
+    if (this.shown.has("tracks")) this.tracks.draw();
     if (this.shown.has("lights")) this.drawLights();
     this.drawChanging();
     if (this.shown.has("boxes")) this.drawBoxes();
@@ -202,7 +201,8 @@ class Stage {
     context.beginPath();
     context.arc(view.pixelX(x[this.selected]), view.pixelY(y[this.selected]), 18, 0, 2 * Math.PI);
     context.stroke();
-    this.brush.play(this.run.stamps.normal, poseAt(x[this.selected], y[this.selected], this.run.hits.normal[this.selected]));
+    const angle = this.run.hits.normal[this.selected];
+    this.brush.play(this.run.stamps.normal, poseAt(x[this.selected], y[this.selected], angle));
   }
 
   // -- balls ----------------------------------------------------------------------------------------------------------
@@ -259,68 +259,5 @@ class Stage {
       const arrow = stamps.arrows[Math.round((pixels - stamps.shortest_arrow) / stamps.arrow_step)];
       this.brush.play(arrow, poseAt(x, y, Math.atan2(vy, vx)));
     });
-  }
-
-  // -- tracks ---------------------------------------------------------------------------------------------------------
-
-  /** Draws where the balls that are followed have been, fading with age; those of one ink in one go. */
-  drawTracks() {
-    const { context } = this;
-    const { bands, width } = this.run.marks.track;
-    context.lineWidth = width * this.view.marks;
-    // Round ends would make beads where the parts of a translucent line meet.
-    context.lineCap = "butt";
-    const start = this.time - TRACK_SECONDS;
-    const inks = new Map();
-    for (const ball of this.run.followed) {
-      const ink = this.run.ball_inks[ball];
-      if (!inks.has(ink)) inks.set(ink, bands.map(() => new Path2D()));
-      for (const way of this.motion.ways(ball, start, this.time)) this.traceWay(this.thinned(way), start, inks.get(ink));
-    }
-    for (const [ink, paths] of inks) {
-      context.strokeStyle = this.brush.inks[ink];
-      paths.forEach((path, band) => {
-        context.globalAlpha = bands[band];
-        context.stroke(path);
-      });
-    }
-    context.globalAlpha = 1;
-    context.lineCap = "round";
-  }
-
-  /** The points of a way in pixels, without those between which it goes straight. */
-  thinned(way) {
-    const points = way.map(([time, x, y]) => [time, this.view.pixelX(x), this.view.pixelY(y)]);
-    const kept = [points[0]];
-    for (let index = 1; index + 1 < points.length; index++) {
-      const [, fromX, fromY] = kept.at(-1);
-      const [, x, y] = points[index];
-      const [dx, dy] = [points[index + 1][1] - fromX, points[index + 1][2] - fromY];
-      const beside = Math.abs(dx * (y - fromY) - dy * (x - fromX));
-      const along = dx * (x - fromX) + dy * (y - fromY);
-      const length = Math.hypot(dx, dy);
-      if (along < 0 || along > length * length || beside > TRACK_TOLERANCE * length) kept.push(points[index]);
-    }
-    kept.push(points.at(-1));
-    return kept;
-  }
-
-  /** Adds the parts of a way to the paths of the bands of age that they belong to. */
-  traceWay(points, start, paths) {
-    const bandSeconds = TRACK_SECONDS / paths.length;
-    let band = -1;
-    for (let index = 1; index < points.length; index++) {
-      const [t0, x0, y0] = points[index - 1];
-      const [t1, x1, y1] = points[index];
-      const first = Math.max(0, Math.floor((t0 - start) / bandSeconds));
-      const last = Math.min(paths.length - 1, Math.floor((t1 - start) / bandSeconds));
-      for (let next = first; next <= last; next++) {
-        const from = Math.max(0, (start + next * bandSeconds - t0) / (t1 - t0 || 1));
-        const to = Math.min(1, (start + (next + 1) * bandSeconds - t0) / (t1 - t0 || 1));
-        if (next !== band) paths[next].moveTo(x0 + from * (x1 - x0), y0 + from * (y1 - y0));
-        paths[next].lineTo(x0 + to * (x1 - x0), y0 + to * (y1 - y0));
-        band = next;
-      }
-    }
   }
 }
