@@ -15,7 +15,7 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import continuous, galton, gas, memory, pinball, rooms, scaling, startup
+from benchmarks import continuous, drawing, galton, gas, memory, pinball, rooms, scaling, startup
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
@@ -25,6 +25,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "continuous": continuous,
     "rooms": rooms,
     "scaling": scaling,
+    "drawing": drawing,
     "startup": startup,
     "memory": memory,
 }

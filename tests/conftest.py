@@ -23,8 +23,9 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add the size of campaigns."""
+    """Add the size of campaigns, and whether pictures are kept anew."""
     parser.addoption("--campaign", action="store_true", help="10,000,000 launches instead of 100,000")
+    parser.addoption("--renew-pictures", action="store_true", help="keep the pictures as they look now")
 
 
 @pytest.fixture(scope="session")

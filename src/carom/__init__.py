@@ -15,7 +15,15 @@ raises on purpose is a `CaromError`; one for bad input is an `InvalidArgument`, 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from carom.errors import CaromError, InvalidArgument, NonFiniteState, SceneError, SnapshotError
+from carom.errors import (
+    CaromError,
+    InvalidArgument,
+    MissingExtra,
+    NonFiniteState,
+    RecordingError,
+    SceneError,
+    SnapshotError,
+)
 from carom.rows import Motion
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
@@ -32,6 +40,7 @@ from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
+    from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
 
@@ -52,10 +61,14 @@ __all__ = [
     "Hits",
     "InvalidArgument",
     "Line",
+    "MissingExtra",
     "Motion",
     "Neighbor",
     "NonFiniteState",
     "Point",
+    "Recorder",
+    "Recording",
+    "RecordingError",
     "Scene",
     "SceneError",
     "Segment",
@@ -81,6 +94,8 @@ _LAZY = {
     "Hits": "carom.world",
     "Neighbor": "carom.world",
     "World": "carom.world",
+    "Recorder": "carom.record",
+    "Recording": "carom.record",
     "Scene": "carom.scene",
     "scenes": "carom.scene",
 }

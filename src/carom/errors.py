@@ -24,5 +24,13 @@ class SnapshotError(CaromError, ValueError):
     """A snapshot was damaged, cut, or not made by this library."""
 
 
+class RecordingError(CaromError, ValueError):
+    """A recording was refused: damaged, cut, not made by this library, or of parts that do not fit each other."""
+
+
 class NonFiniteState(CaromError, ValueError):
     """A world's state holds NaN or infinity; the message names the balls."""
+
+
+class MissingExtra(CaromError, ImportError):
+    """A package is not installed; the message says what needs it, and what to install."""

@@ -1,15 +1,24 @@
 """The README and the pages of docs/ are true: their commands are there, their code runs, their links lead somewhere."""
 
 import re
+import shlex
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 import carom
+from carom.cli import main
 from tests.conventions.source_trees import ROOT, named
 
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BUILT = {"_build", "_figures", "gallery"}  # folders of docs/ that hold what the site's build makes
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "CHANGELOG.md",
+    *(page for page in sorted((ROOT / "docs").rglob("*.md")) if not BUILT & set(page.parts)),
+]
+FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
@@ -25,6 +34,19 @@ def blocks(page: Path, language: str) -> list[tuple[int, str]]:
         for found in FENCE.finditer(text)
         if found.group(1) == language
     ]
+
+
+def run_python(page: Path, lines_before: int, text: str, names: dict[str, object]) -> None:
+    """Run a block of Python, whose names are added to those of the blocks before it."""
+    exec(compile("\n" * lines_before + text, str(page), "exec"), names)
+
+
+def commands(text: str) -> list[list[str]]:
+    """The arguments of each `carom` in a block of shell; what installs and tests is run by `.ci/run`."""
+    words = [shlex.split(part, comments=True) for line in text.splitlines() for part in line.split("&&")]
+    others = {"pip", "pytest", "pre-commit", ".ci/run", "sphinx-build"}
+    assert {line[0] for line in words if line} <= {"carom", *others}
+    return [line[1:] for line in words if line and line[0] == "carom"]
 
 
 def anchors(page: Path) -> set[str]:
@@ -60,7 +82,33 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     for lines_before, text in blocks(page, "python"):
-        exec(compile("\n" * lines_before + text, str(page), "exec"), names)
+        run_python(page, lines_before, text, names)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "sh")], ids=named)
+def test_the_commands_of_a_page_run_after_the_code_before_them(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    steps = sorted([(*block, "python") for block in blocks(page, "python")] + [(*b, "sh") for b in blocks(page, "sh")])
+    for lines_before, text, language in steps:
+        if language == "python":
+            run_python(page, lines_before, text, names)
+            continue
+        for arguments in commands(text):
+            with pytest.raises(SystemExit) as ended:
+                main(arguments)
+            assert ended.value.code in (0, None), (arguments, capsys.readouterr().err)
+            outputs = [Path(after) for word, after in pairwise(arguments) if word == "--out"]
+            assert all(path.stat().st_size > 100 for path in outputs)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_every_block_of_python_is_one_that_runs(page: Path) -> None:
+    languages = {found.group(1).lower() for found in FENCE.finditer(page.read_text(encoding="utf-8"))}
+    assert {language for language in languages if "py" in language} <= {"python", "{code-cell} ipython3"}
 
 
 @pytest.mark.parametrize("page", PAGES, ids=named)

@@ -12,7 +12,19 @@ import carom
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = "import sys; from hatchling.build import build_wheel; build_wheel(sys.argv[1])"
-HEAVY = {"numba", "llvmlite", "pydantic", "pygame", "pyarrow", "typer", "rich", "tomli_w", "platformdirs"}
+HEAVY = {
+    "numba",
+    "llvmlite",
+    "pydantic",
+    "pygame",
+    "imageio_ffmpeg",
+    "matplotlib",
+    "pyarrow",
+    "typer",
+    "rich",
+    "tomli_w",
+    "platformdirs",
+}
 
 
 def python(*arguments: str) -> str:
@@ -38,8 +50,10 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> ZipFile:
 
 def test_the_wheel_holds_every_file_of_the_package_its_types_and_its_licence(wheel: ZipFile) -> None:
     names = set(wheel.namelist())
-    sources = {path.relative_to(ROOT / "src").as_posix() for path in (ROOT / "src" / "carom").rglob("*.py")}
+    files = [path for path in (ROOT / "src" / "carom").rglob("*") if path.is_file() and "__pycache__" not in path.parts]
+    sources = {path.relative_to(ROOT / "src").as_posix() for path in files}
     assert sources <= names
+    assert "carom/draw/replay/template.html" in sources
     assert "carom/py.typed" in names
     assert any(name.endswith("licenses/LICENSE") for name in names)
 

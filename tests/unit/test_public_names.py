@@ -29,7 +29,8 @@ def test_an_unknown_name_is_an_attribute_error() -> None:
 
 
 def test_bad_input_is_a_value_error_and_a_carom_error() -> None:
-    for error in (carom.InvalidArgument, carom.SceneError, carom.SnapshotError, carom.NonFiniteState):
+    family = (carom.InvalidArgument, carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.NonFiniteState)
+    for error in family:
         assert issubclass(error, ValueError)
         assert issubclass(error, carom.CaromError)
 

@@ -10,9 +10,10 @@ import typer
 
 from carom.cli import commands
 from carom.cli.mistakes import Mistake
-from carom.cli.quantities import non_negative, positive
-from carom.draw import ThemeName
-from carom.errors import CaromError, SceneError
+from carom.cli.quantities import non_negative, number, positive
+from carom.cli.view import View, layers_from, size_from
+from carom.draw import Layer, ThemeName
+from carom.errors import CaromError, RecordingError, SceneError
 
 app = typer.Typer(
     name="carom",
@@ -25,14 +26,26 @@ app = typer.Typer(
 )
 
 SceneName = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")]
-Theme = Annotated[ThemeName, typer.Option(help="Colours of a picture; auto follows the reader's own setting.")]
+Theme = Annotated[
+    ThemeName,
+    typer.Option(help="Colours of a picture; auto follows the reader's own setting where it can, else it is light."),
+]
+Layers = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAMES",
+        help=f"What a picture shows, separated by commas: all, or some of {', '.join(sorted(Layer))}. "
+        "By default shapes, sensors, balls, hits and tracks.",
+    ),
+]
+Size = Annotated[str | None, typer.Option(metavar="PIXELS", help="Size of a picture: 1280x720, or its longer side.")]
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Nothing; runs the command line (of this process, or `arguments`) and raises `SystemExit` with its status."""
     try:
         app(arguments, prog_name="carom")
-    except (Mistake, SceneError) as error:
+    except (Mistake, SceneError, RecordingError) as error:
         fail(error, 2)
     except (CaromError, OSError) as error:
         fail(error, 1)
@@ -63,17 +76,21 @@ def run(
         list[Path] | None,
         typer.Option(
             metavar="FILE",
-            help="Write a file, by its ending: .svg a picture of the run, .csv all hits, "
-            ".toml the end state as a scene. Can be given several times.",
+            help="Write a file, by its ending: .svg or .png a picture of the run, .gif or .mp4 an animation, "
+            ".html a page that plays it, .carom the recording, .csv all hits, .toml the end state as a scene. "
+            "Can be given several times.",
         ),
     ] = None,
     theme: Theme = ThemeName.AUTO,
+    layers: Layers = None,
+    size: Size = None,
 ) -> None:
     """Run a scene, show progress, and print what happened.
 
     Ctrl-C stops the run; what was asked for is still written.
     """
-    commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], theme)
+    view = View(theme, layers_from(layers), size_from(size))
+    commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], view)
 
 
 @app.command()
@@ -81,12 +98,22 @@ def show(
     scene: SceneName,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="The picture; by default the scene's name and .svg, here."),
+        typer.Option(
+            metavar="FILE",
+            help="The picture, .svg or .png; of a recording (.carom) .gif, .mp4 and .html too. "
+            "By default the scene's name and .svg, here.",
+        ),
     ] = None,
     theme: Theme = ThemeName.AUTO,
+    layers: Layers = None,
+    size: Size = None,
+    at: Annotated[
+        str | None, typer.Option(metavar="S", help="Of a recording: the time to show. By default its end.")
+    ] = None,
 ) -> None:
-    """Make a picture of a scene as it stands."""
-    commands.show(scene, out, theme)
+    """Make a picture of a scene as it stands, or of a recorded run."""
+    view = View(theme, layers_from(layers), size_from(size))
+    commands.show(scene, out, view, None if at is None else number("--at", at))
 
 
 @app.command()

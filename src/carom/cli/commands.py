@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
@@ -13,20 +12,24 @@ from rich.text import Text
 
 import carom
 from carom import draw
-from carom.cli import outputs, report, running
-from carom.cli.hits_file import write_hits
+from carom.cli import files, outputs, report, running
 from carom.cli.mistakes import Mistake
 from carom.cli.sources import Source, find, shipped
-from carom.cli.tally import names_in
-from carom.errors import CaromError
+from carom.cli.tally import shares_of
+from carom.record import Recorder
 from carom.scene import Scene
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Sequence
+    from pathlib import Path
 
+    from carom.cli.view import View
     from carom.world.world import World
 
-PICTURE, HITS, STATE = ".svg", ".csv", ".toml"
+#: Frames a second that are recorded; fewer where the steps are longer.
+FRAMES = 60
+#: What a recording keeps of a ball at each frame, in bytes; and how much in all at most.
+BYTES_OF_BALL, MOST_RECORDED = 100, 8e9
 #: More steps than this in one run are a slip of the keys.
 MOST_STEPS = 10**12
 
@@ -38,24 +41,40 @@ def tell_version(wanted: bool) -> None:
         raise typer.Exit
 
 
-def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], theme: draw.ThemeName) -> None:
+def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> None:
     """Nothing; runs a scene, prints what happened, writes the files."""
     source = find(scene)
-    outputs.check_outputs(paths, (PICTURE, HITS, STATE), source.path)
+    if source.recording is not None:
+        raise Mistake(f"{scene}: is the recording of a run; carom show makes pictures of it")
+    outputs.check_outputs(paths, files.OF_RUN, source.path)
+    endings = {path.suffix.lower() for path in paths}
+    files.check_extras(endings)
     steps = steps_of(seconds, dt)
     world = source.scene().build()
-    endings = {path.suffix.lower() for path in paths}
+    recorder = None
+    if not files.RECORDED.isdisjoint(endings):
+        every = max(1, round(1.0 / (FRAMES * dt)))
+        check_room(steps // every + 2, len(world.balls), len(world.shapes))
+        recorder = Recorder(world, name=source.title, about=source.about, every=every)
     with report.Bar(source.name, steps, dt) as bar:
         outcome = running.run(
             world,
             steps,
             dt,
-            keep_hits=HITS in endings,
-            follow=PICTURE in endings,
             tell=bar.tell,
+            keep_hits=files.HITS in endings,
+            follow=not set(files.STILLS).isdisjoint(endings),
+            recorder=recorder,
         )
     Console().print(report.summary(source.name, world, outcome, dt))
-    write_all(paths, writers(source, world, outcome, theme))
+    files.write_all(paths, files.writers_of_run(source, world, outcome, view))
+
+
+def check_room(frames: int, balls: int, shapes: int) -> None:
+    """Nothing; raises `Mistake` where a recording would fill the memory."""
+    size = frames * (BYTES_OF_BALL * balls + shapes)
+    if size > MOST_RECORDED:
+        raise Mistake(f"a recording of this run would take {size / 1e9:,.0f} GB of memory; make --seconds less")
 
 
 def steps_of(seconds: float, dt: float) -> int:
@@ -68,56 +87,44 @@ def steps_of(seconds: float, dt: float) -> int:
     return steps
 
 
-def writers(
-    source: Source, world: World, outcome: running.Outcome, theme: draw.ThemeName
-) -> Mapping[str, Callable[[Path], None]]:
-    """How the files of a run are written, by their endings."""
-
-    def picture(path: Path) -> None:
-        shares = [(count.label, count.bounces) for count in outcome.tally.counts() if count.bounces]
-        shown = draw.picture_of(world, source.title, caption=source.about, trace=outcome.trace, shares=shares)
-        path.write_text(draw.svg(shown, theme), encoding="utf-8", newline="\n")
-
-    def hits(path: Path) -> None:
-        write_hits(path, outcome.hits, names_in(world))
-
-    def state(path: Path) -> None:
-        Scene.from_world(world).save(path)
-
-    return {PICTURE: picture, HITS: hits, STATE: state}
-
-
-def write_all(paths: Sequence[Path], by_ending: Mapping[str, Callable[[Path], None]]) -> None:
-    """Nothing; writes every file that can be written, says how large each is, and exits with 1 if any could not."""
-    failed = False
-    for path in paths:
-        try:
-            size = outputs.write(path, by_ending[path.suffix.lower()])
-        except (OSError, CaromError) as error:
-            typer.echo(f"carom: {path}: cannot be written: {error}", err=True)
-            failed = True
-        else:
-            typer.echo(f"wrote {path} ({size / 1000:,.0f} kB)")
-    if failed:
-        raise typer.Exit(1)
-
-
-def show(scene: str, out: Path | None, theme: draw.ThemeName) -> None:
-    """Nothing; writes a picture of a scene as it stands."""
+def show(scene: str, out: Path | None, view: View, at: float | None) -> None:
+    """Nothing; writes a picture of a scene as it stands, or of a recorded run."""
     source = find(scene)
     path = source.picture if out is None else out
-    outputs.check_outputs([path], (PICTURE,), source.path)
-    shown = draw.picture_of(source.scene().build(), source.title, caption=source.about)
+    recording = source.recording
+    outputs.check_outputs([path], files.OF_SCENE if recording is None else files.OF_RECORDING, source.path)
+    files.check_extras({path.suffix.lower()})
+    if recording is None:
+        if at is not None:
+            raise Mistake(f"--at {at:g}: is for recordings; {source.name} is a scene")
+        world = source.scene().build()
+        files.write_all([path], files.writers_of_picture(lambda: still(source, world, view), view))
+        return
+    frame = len(recording) - 1 if at is None else recording.frame_at(at)
 
-    def picture(path: Path) -> None:
-        path.write_text(draw.svg(shown, theme), encoding="utf-8", newline="\n")
+    def picture() -> draw.Picture:
+        shares = shares_of(recording, float(recording.times[frame]))
+        return draw.picture_at(recording, frame, shares=shares, layers=view.layers, size=view.size)
 
-    write_all([path], {PICTURE: picture})
+    writers = files.writers_of_recording(recording, view)
+    files.write_all([path], {**writers, **files.writers_of_picture(picture, view)})
+
+
+def still(source: Source, world: World, view: View) -> draw.Picture:
+    """The picture of a scene as it stands."""
+    return draw.picture_of(world, source.title, caption=source.about, layers=view.layers, size=view.size)
 
 
 def check(scene: str) -> None:
     """Nothing; says that a scene is good, or raises `SceneError` with all its faults."""
     source = find(scene)
+    if source.recording is not None:
+        frames, balls = (
+            report.counted(len(source.recording), "frame"),
+            report.counted(len(source.recording.ids), "ball"),
+        )
+        typer.echo(f"{source.name}: good: {frames}, {balls}, {report.counted(len(source.recording.hits), 'hit')}")
+        return
     world = source.scene().build()
     shapes, balls = report.counted(len(world.shapes), "shape"), report.counted(len(world.balls), "ball")
     typer.echo(f"{source.name}: good: {shapes}, {balls}")

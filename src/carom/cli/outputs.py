@@ -38,6 +38,8 @@ def _check_place(path: Path, target: Path) -> None:
         raise Mistake(f"{path}: is a folder")
     if not target.parent.is_dir():
         raise Mistake(f"{path}: there is no folder {path.parent}")
+    if target.exists() and not target.is_file():
+        raise Mistake(f"{path}: is no file that could be replaced, but a device or the like")
     if target.exists() and not os.access(target, os.W_OK):
         raise Mistake(f"{path}: cannot be written: it is read-only")
     beside = _beside(target)

@@ -67,6 +67,39 @@ class Bar:
         )
 
 
+class FilmBar:
+    """A progress bar on stderr, where that is a terminal: the frames of a film that are encoded."""
+
+    def __init__(self, name: str) -> None:
+        console = Console(stderr=True)
+        self._updated = 0.0
+        self._progress = Progress(
+            TextColumn("{task.description}", markup=False),
+            BarColumn(bar_width=None),
+            TextColumn("{task.completed:,} of {task.total:,} frames"),
+            TimeRemainingColumn(),
+            console=console,
+            transient=True,
+            expand=True,
+            disable=not console.is_terminal,
+        )
+        self._task = self._progress.add_task(name, total=1)
+
+    def __enter__(self) -> Self:
+        self._progress.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._progress.stop()
+
+    def tell(self, done: int, total: int) -> None:
+        """Show that `done` of `total` frames are encoded."""
+        now = perf_counter()
+        if now - self._updated >= PAUSE or done == total:
+            self._updated = now
+            self._progress.update(self._task, completed=done, total=total)
+
+
 def pace(steps: int, dt: float, took: float) -> str:
     """How fast `steps` steps in `took` seconds are against real time, in words; empty where that cannot be told."""
     if steps < 1 or took <= 0.0:

@@ -16,6 +16,7 @@ from carom.world.layout import HIT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from carom.record import Recorder, Recording
     from carom.rows import Rows
     from carom.world.world import World
 
@@ -33,6 +34,7 @@ class Outcome:
     tally: Tally
     hits: Rows  # none where they were not to be kept
     trace: Trace | None
+    recording: Recording | None
 
     @property
     def stopped(self) -> bool:
@@ -41,16 +43,23 @@ class Outcome:
 
 
 def run(
-    world: World, steps: int, dt: float, *, keep_hits: bool, follow: bool, tell: Callable[[int, float], None]
+    world: World,
+    steps: int,
+    dt: float,
+    *,
+    tell: Callable[[int, float], None],
+    keep_hits: bool = False,
+    follow: bool = False,
+    recorder: Recorder | None = None,
 ) -> Outcome:
     """What `steps` steps of length `dt` bring, or those made before Ctrl-C.
 
     `tell` is called with the steps made and the real seconds taken after each slice. The first slice is one step, and
-    its time is not counted: it may have to compile. Where balls are followed, every slice is one step. The world's
-    states and hits are the same however the steps are sliced.
+    its time is not counted: it may have to compile. Where balls are followed or all is recorded, every slice is one
+    step. The world's states and hits are the same however the steps are sliced.
     """
     trace = Trace(world) if follow else None
-    tally = Tally(world)
+    tally = Tally.of(world)
     kept = [np.zeros(0, HIT)]
     done, took, size = 0, 0.0, 1
     with Interrupt() as interrupt:
@@ -64,12 +73,15 @@ def run(
                 kept.append(hits)
             if trace is not None:
                 trace.note(hits)
-            elif done > 0:
+            if recorder is not None:
+                recorder.note(hits)
+            elif trace is None and done > 0:
                 size = next_size(count, spent)
             took += spent if done > 0 else 0.0
             done += count
             tell(done, took)
-    return Outcome(done, steps, took, tally, np.concatenate(kept), trace)
+    recording = recorder.finish() if recorder is not None else None
+    return Outcome(done, steps, took, tally, np.concatenate(kept), trace, recording)
 
 
 def next_size(count: int, spent: float) -> int:

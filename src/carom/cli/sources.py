@@ -10,17 +10,22 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from carom.cli.mistakes import Mistake
+from carom.record import Recording
 from carom.scene import Scene, scenes
+
+#: The ending of recordings.
+RECORDED = ".carom"
 
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A scene that was found: its name, a line about it, the file it is in (None: shipped), and how to make it."""
+    """A scene that was found, or a recording of a run."""
 
     name: str
     about: str
-    path: Path | None
+    path: Path | None  # of the file it is in; None: shipped
     scene: Callable[[], Scene]
+    recording: Recording | None = None
 
     @property
     def title(self) -> str:
@@ -57,6 +62,9 @@ def find(text: str) -> Source:
         is_file, is_folder = path.is_file(), path.is_dir()
     except OSError as error:
         raise Mistake(f"{text}: cannot be read: {error.strerror}") from None
+    if is_file and path.suffix.lower() == RECORDED:
+        recording = Recording.load(path)
+        return Source(recording.name or path.stem, recording.about, path, lambda: recording.scene, recording)
     if is_file:
         scene = Scene.load(path)
         return Source(scene.name or path.stem, "", path, lambda: scene)

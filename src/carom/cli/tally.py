@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.draw.looks import parts
+from carom.record.members import label_of, parts
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import NDArray
 
-    from carom.shapes.shape import Shape
+    from carom.record import Recording
     from carom.world.world import World
 
 BALLS = "ball against ball"
@@ -42,9 +44,14 @@ class Count:
 class Tally:
     """The counts of a run, by label: shapes of one name, and balls among each other, count together."""
 
-    def __init__(self, world: World) -> None:
-        self._labels = {shape.id: label_of(shape) for shape in parts(world.shapes)}
+    def __init__(self, labels: Mapping[int, str]) -> None:
+        self._labels = labels
         self._counts: dict[str, Count] = {}
+
+    @classmethod
+    def of(cls, world: World) -> Tally:
+        """A tally of a world's shapes."""
+        return cls({shape.id or 0: label_of(shape) for shape in parts(world.shapes)})
 
     def add(self, hits: NDArray[Any]) -> None:
         """Count more hits."""
@@ -61,21 +68,8 @@ class Tally:
         return sorted(self._counts.values(), key=lambda count: (-count.bounces - count.entries, count.label))
 
 
-def name_of(shape: Shape) -> str | None:
-    """The name of `shape`, or that of the compound that it is a part of, or None."""
-    if shape.name is None and shape.compound is not None:
-        return shape.compound.name
-    return shape.name
-
-
-def names_in(world: World) -> dict[int, str]:
-    """The names of the shapes and balls that have one, by id."""
-    named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
-    named += [(ball.id, ball.name) for ball in world.balls]
-    return {member: name for member, name in named if member is not None and name is not None}
-
-
-def label_of(shape: Shape) -> str:
-    """What to call `shape` in a table: its name, or what and where it is."""
-    x, y = shape.position
-    return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"
+def shares_of(recording: Recording, until: float) -> list[tuple[str, int]]:
+    """The bounces of a recorded run, until some time of it, by what was hit, the most frequent first."""
+    tally = Tally({key: recording.label_of(key) for key in recording.shape_ids.tolist()})
+    tally.add(np.compress(recording.hits["time"] <= until, recording.hits))
+    return [(count.label, count.bounces) for count in tally.counts() if count.bounces]

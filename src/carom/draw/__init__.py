@@ -1,22 +1,38 @@
 """Pictures of worlds and of runs.
 
-`picture_of` decides what a picture shows, `svg` writes it as an SVG file's text, `Trace` follows a run for it.
+`picture_of` decides what a picture of a world shows, `picture_at` what one of a recorded frame does; `svg` and `png`
+write them. `Trace` follows a run for a picture of it. `Film` draws a recording frame by frame, `write_film` makes it a
+GIF or an MP4, `replay_page` a page that plays it.
 """
 
+from carom.draw.film import Film
+from carom.draw.footage import picture_at
+from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.movie import write_film
+from carom.draw.page import replay_page
 from carom.draw.painter import Lettering, Painter, Style
 from carom.draw.picture import Picture, picture_of, svg
+from carom.draw.raster import RasterPainter, png
 from carom.draw.svg import SvgPainter
 from carom.draw.theme import ThemeName
 from carom.draw.trace import Trace
 
 __all__ = [
+    "DEFAULT_LAYERS",
+    "Film",
+    "Layer",
     "Lettering",
     "Painter",
     "Picture",
+    "RasterPainter",
     "Style",
     "SvgPainter",
     "ThemeName",
     "Trace",
+    "picture_at",
     "picture_of",
+    "png",
+    "replay_page",
     "svg",
+    "write_film",
 ]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from math import ceil
+from typing import TYPE_CHECKING, TypeAlias
 
 from carom.shapes.aabb import Aabb
 
 if TYPE_CHECKING:
     from carom.draw.painter import Vector
+
+#: How large a picture is to be, in pixels: its width and height, its longer side, or None for what suits it.
+Size: TypeAlias = tuple[int, int] | int | None
 
 #: Pixels: the longer side of the stage.
 STAGE_SIZE = 920.0
@@ -18,11 +22,25 @@ MARGIN = 20.0
 PADDING = 16.0
 #: Pixels: the panel beside the stage.
 PANEL_WIDTH = 224.0
+#: Pixels: a stage beside a panel is at least so wide. Pictures that would not have that much are without a panel.
+LEAST_STAGE = 300.0
+#: Pixels: in larger pictures than this, words and lines are larger too.
+FULL_WIDTH, FULL_HEIGHT = 1184.0, 720.0
+#: Pixels: the margin of pictures without a panel.
+BARE_MARGIN = 8.0
+#: Words are not shrunk further than this; where they would be, there is no panel.
+LEAST_ZOOM = 0.85
+#: A side shorter than this part of the longer one does not say how large the rest is drawn.
+THIN = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A picture's layout: its size in pixels, its stage in world coordinates, and the way between the two."""
+    """A picture's layout: its size in pixels, its stage in world coordinates, and the way between the two.
+
+    Widths of lines and heights of letters are the same number of pixels in every layout. `zoom` says how many pixels
+    of the finished picture are one of the layout.
+    """
 
     width: float
     height: float
@@ -30,14 +48,13 @@ class Frame:
     scale: float  # pixels per unit of length
     stage_left: float  # pixels
     stage_top: float
+    panel: bool = True
+    zoom: float = 1.0
 
     @classmethod
     def around(cls, box: Aabb, panel_height: float) -> Frame:
         """The frame that shows `box`, its longer side as long as a stage may be, beside a panel of some height."""
-        longer = max(box.right - box.left, box.top - box.bottom)
-        if not longer > 0.0:
-            box, longer = widened(box, 0.5), 1.0
-        scale = (STAGE_SIZE - 2.0 * PADDING) / longer
+        scale = (STAGE_SIZE - 2.0 * PADDING) / longer_side(box)
         stage = widened(box, PADDING / scale)
         stage_width = (stage.right - stage.left) * scale
         stage_height = (stage.top - stage.bottom) * scale
@@ -50,6 +67,55 @@ class Frame:
             stage_left=MARGIN,
             stage_top=MARGIN + 0.5 * (inner_height - stage_height),
         )
+
+    @classmethod
+    def fit(cls, box: Aabb, panel_height: float, size: Size) -> Frame:
+        """The frame that shows `box` in a picture of a size, beside a panel of some height if there is room for it."""
+        if size is None:
+            return cls.around(box, panel_height)
+        if isinstance(size, tuple):
+            width, height = size
+            zoom = max(1.0, min(width / FULL_WIDTH, height / max(FULL_HEIGHT, panel_height + 2.0 * MARGIN)))
+            return cls._within(box, panel_height, width / zoom, height / zoom, zoom)
+        full = cls.around(box, panel_height)
+        zoom = size / max(full.width, full.height)
+        if zoom >= LEAST_ZOOM:
+            return replace(full, zoom=zoom)
+        if box.right == box.left and box.top == box.bottom:
+            return cls._within(box, panel_height, size, size, 1.0)
+        scale = (size - 2.0 * (BARE_MARGIN + PADDING)) / longer_side(box)
+        around = 2.0 * (BARE_MARGIN + PADDING)
+        width = ceil((box.right - box.left) * scale + around)
+        return cls._within(box, panel_height, width, ceil((box.top - box.bottom) * scale + around), 1.0)
+
+    @classmethod
+    def _within(cls, box: Aabb, panel_height: float, width: float, height: float, zoom: float) -> Frame:
+        """The frame of a layout of some width and height."""
+        panel = width >= LEAST_STAGE + PANEL_WIDTH + 3.0 * MARGIN and height >= panel_height + 2.0 * MARGIN
+        margin = MARGIN if panel else BARE_MARGIN
+        beside = PANEL_WIDTH + MARGIN if panel else 0.0
+        room_width, room_height = width - beside - 2.0 * margin, height - 2.0 * margin
+        rooms = ((room_width, box.right - box.left), (room_height, box.top - box.bottom))
+        thin = THIN * longer_side(box)
+        scales = [(room - 2.0 * PADDING) / extent for room, extent in rooms if extent > thin]
+        scale = min(scales, default=min(room_width, room_height) - 2.0 * PADDING)
+        stage = widened(box, PADDING / scale)
+        stage_width, stage_height = (stage.right - stage.left) * scale, (stage.top - stage.bottom) * scale
+        return cls(
+            width=width,
+            height=height,
+            stage=stage,
+            scale=scale,
+            stage_left=margin + 0.5 * (room_width - stage_width),
+            stage_top=margin + 0.5 * (room_height - stage_height),
+            panel=panel,
+            zoom=zoom,
+        )
+
+    @property
+    def pixels(self) -> tuple[int, int]:
+        """Width and height of the finished picture."""
+        return round(self.width * self.zoom), round(self.height * self.zoom)
 
     @property
     def panel_left(self) -> float:
@@ -74,6 +140,11 @@ class Frame:
     def shows(self, x: float, y: float) -> bool:
         """Whether the world's point (x, y) is on the stage."""
         return self.stage.left <= x <= self.stage.right and self.stage.bottom <= y <= self.stage.top
+
+
+def longer_side(box: Aabb) -> float:
+    """The longer side of a box, or 1 for one without extent."""
+    return max(box.right - box.left, box.top - box.bottom) or 1.0
 
 
 def widened(box: Aabb, length: float) -> Aabb:

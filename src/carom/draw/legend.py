@@ -2,24 +2,45 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.looks import GATE, GUARD, LOOKS, MOVING, POST, Look
-from carom.draw.marks import arrow_mark, ball_mark, hit_mark, pivot_mark, track_style
+from carom.draw.cells import EDGE
+from carom.draw.layers import Layer
+from carom.draw.looks import GATE, GUARD, LOOKS, MOVING, POST, SENSOR, Look
+from carom.draw.marks import (
+    NORMAL,
+    TANGENT,
+    VELOCITY,
+    arrow_mark,
+    ball_mark,
+    box_mark,
+    glow_mark,
+    hit_mark,
+    long_arrow_mark,
+    pivot_mark,
+    reticle_mark,
+    sector_mark,
+    track_style,
+)
+from carom.draw.painter import Style
 from carom.draw.panel import GLYPH_WIDTH
 from carom.draw.trace import MOST_HITS
 from carom.draw.tracks import BANDS
+from carom.shapes.aabb import Aabb
+from carom.shapes.arc import Arc
+from carom.shapes.segment import Segment
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
+    from carom.draw.cells import Cell
     from carom.draw.frame import Frame
     from carom.draw.painter import Painter, Vector
     from carom.draw.panel import Glyph
     from carom.draw.trace import Trace
-    from carom.draw.tracks import Track
     from carom.world.world import World
 
 #: How many balls of different inks the sample of balls shows.
@@ -80,16 +101,78 @@ def hit_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
         hit_mark(painter, frame, frame.world(middle[0] + offset, middle[1]), strength, 1.0)
 
 
-def legend(looks: Sequence[Look], inks: Sequence[str], *, tracks: bool, hits: bool) -> tuple[tuple[str, Glyph], ...]:
-    """The entries for the `looks` that occur, for balls of some `inks`, for tracks and for hits."""
-    entries = [(look.label, look_sample(look)) for look in LOOKS if look in looks]
-    if inks:
+def box_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of boxes."""
+    box_mark(painter, pixel_box(frame, middle, 10.0, 6.0))
+
+
+def cell_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of cells: three beside each other, that hold more and more."""
+    for place, opacity in enumerate((0.08, 0.17, 0.3)):
+        box = pixel_box(frame, (middle[0] + 9.0 * (place - 1), middle[1]), 4.5, 6.0)
+        box_mark(painter, box, Style(fill="cell", opacity=opacity))
+        box_mark(painter, box, EDGE)
+
+
+def pixel_box(frame: Frame, middle: Vector, half_width: float, half_height: float) -> Aabb:
+    """The box that is so many pixels wide and high, as a box of the world."""
+    left, bottom = frame.world(middle[0] - half_width, middle[1] + half_height)
+    return Aabb(left, bottom, left + frame.units(2.0 * half_width), bottom + frame.units(2.0 * half_height))
+
+
+def sector_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of sectors."""
+    sector_mark(painter, Arc(frame.world(middle[0], middle[1] + 9.0), frame.units(18.0), 0.2 * pi, 0.8 * pi))
+
+
+def glow_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of what was just hit."""
+    ends = (frame.world(middle[0] + x, middle[1]) for x in (-0.8 * HALF, 0.8 * HALF))
+    glow_mark(painter, frame, Segment(next(ends), next(ends)), 1.0, 0.6)
+
+
+def tangent_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of tangents."""
+    painter.segment(frame.world(middle[0] - HALF, middle[1]), frame.world(middle[0] + HALF, middle[1]), TANGENT)
+
+
+def arrow_sample(style: Style) -> Glyph:
+    """The sample of normals or of velocities: an arrow."""
+
+    def draw(painter: Painter, frame: Frame, middle: Vector) -> None:
+        long_arrow_mark(painter, frame, frame.world(middle[0] - 0.9 * HALF, middle[1]), (1.0, 0.0), 1.8 * HALF, style)
+
+    return draw
+
+
+def reticle_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of reticles."""
+    reticle_mark(painter, frame, frame.world(*middle), 0.25 * pi, 1.0)
+
+
+#: What is said of a layer whose marks look alike everywhere, and its sample.
+ENTRIES: dict[Layer, tuple[str, Glyph]] = {
+    Layer.HITS: ("hit, sized by its impulse", hit_sample),
+    Layer.LIGHTS: ("was just hit", glow_sample),
+    Layer.RETICLES: ("turns by speed of impact", reticle_sample),
+    Layer.NORMALS: ("normal", arrow_sample(NORMAL)),
+    Layer.TANGENTS: ("tangent", tangent_sample),
+    Layer.VELOCITIES: ("velocity", arrow_sample(VELOCITY)),
+    Layer.SECTORS: ("sector of an arc", sector_sample),
+    Layer.BOXES: ("box", box_sample),
+    Layer.CELLS: ("cell of the broad phase", cell_sample),
+}
+
+
+def legend(looks: Collection[Look], inks: Sequence[str], shown: Collection[Layer]) -> tuple[tuple[str, Glyph], ...]:
+    """The entries for the `looks` that occur, for balls of some `inks`, and for what else is `shown`."""
+    layer_of = {look: Layer.SENSORS if look is SENSOR else Layer.SHAPES for look in LOOKS}
+    entries = [(look.label, look_sample(look)) for look in LOOKS if look in looks and layer_of[look] in shown]
+    if inks and Layer.BALLS in shown:
         entries.append(("balls", ball_sample(inks[:SAMPLE_BALLS])))
-    if tracks:
+    if inks and Layer.TRACKS in shown:
         entries.append(("track, fading with age", track_sample(inks[-1])))
-    if hits:
-        entries.append(("hit, sized by its impulse", hit_sample))
-    return tuple(entries)
+    return (*entries, *(entry for layer, entry in ENTRIES.items() if layer in shown))
 
 
 def facts(world: World, trace: Trace | None) -> tuple[tuple[str, str], ...]:
@@ -102,15 +185,27 @@ def facts(world: World, trace: Trace | None) -> tuple[tuple[str, str], ...]:
     return (*lines, ("strays", f"{strays:,}")) if strays else tuple(lines)
 
 
-def remarks(world: World, trace: Trace | None, tracks: Sequence[Track]) -> tuple[str, ...]:
-    """What the picture leaves out, in words."""
+def remarks(
+    layers: Collection[Layer], tracked: int, balls: int, span: float, bounces: int, cells: Collection[Cell]
+) -> tuple[str, ...]:
+    """What a picture leaves out, in words.
+
+    Args:
+        layers: What it shows.
+        tracked: How many balls have tracks.
+        balls: Of how many.
+        span: Over how many seconds.
+        bounces: How many hits there are to show.
+        cells: The cells of the broad phase.
+    """
     lines = []
-    if tracks:
-        span = max(float(track.times[-1]) for track in tracks) - min(float(track.times[0]) for track in tracks)
-        whose = "all balls" if len(tracks) == len(world.balls) else f"{len(tracks)} of {len(world.balls):,} balls"
+    if tracked and Layer.TRACKS in layers:
+        whose = "all balls" if tracked == balls else f"{tracked} of {balls:,} balls"
         lines.append(f"Tracks of {whose}, over the last {seconds(span)}.")
-    if trace is not None and trace.bounces > MOST_HITS:
+    if bounces > MOST_HITS and Layer.HITS in layers:
         lines.append(f"Of the hits, the {MOST_HITS:,} strongest are shown.")
+    if Layer.CELLS in layers and not cells:
+        lines.append("There are no cells: every ball is tested against every shape.")
     return tuple(lines)
 
 

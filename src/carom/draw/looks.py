@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 from carom.draw.painter import Style
 from carom.rows import Motion
-from carom.shapes.compound import Compound
+from carom.shapes.arc import Arc
 from carom.shapes.gate import Gate
 from carom.shapes.point import Point
+from carom.shapes.segment import Segment
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -55,10 +56,13 @@ LOOKS = (OFF, SENSOR, WALL, GUARD, POST, GATE, MOVING, BUMPER)
 
 def look_of(shape: Shape, ends: frozenset[Vector]) -> Look:
     """The look of `shape`; a point at one of `ends`, the rounded ends of lines, is a guard point."""
+    return material_of(shape, ends) if shape.sensor or shape.can_collide else OFF
+
+
+def material_of(shape: Shape, ends: frozenset[Vector]) -> Look:
+    """The look of `shape` while it is switched on."""
     if shape.sensor:
         return SENSOR
-    if not shape.can_collide:
-        return OFF
     if isinstance(shape, Gate):
         return GATE
     if isinstance(shape, Point) and rounded(shape.position) in ends:
@@ -70,9 +74,11 @@ def look_of(shape: Shape, ends: frozenset[Vector]) -> Look:
     return POST if isinstance(shape, Point) else WALL
 
 
-def parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
-    """The shapes that lines and dots are drawn for: `shapes`, the parts of compounds in place of these."""
-    return [part for shape in shapes for part in (shape.shapes if isinstance(shape, Compound) else (shape,))]
+def ends_of(shapes: Iterable[Shape]) -> frozenset[Vector]:
+    """The ends of segments, gates and arcs, rounded."""
+    return frozenset(
+        rounded(end) for shape in shapes if isinstance(shape, Segment | Arc) for end in (shape.p0, shape.p1)
+    )
 
 
 def rounded(position: Vector) -> Vector:

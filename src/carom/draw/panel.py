@@ -53,6 +53,7 @@ class Line:
     glyph: Glyph | None = None
     share: float | None = None  # of a bar below the line
     rule: bool = False
+    fact: bool = False
 
     def draw(self, painter: Painter, frame: Frame, baseline: float) -> None:
         """Draw the line at a height in pixels."""
@@ -89,18 +90,27 @@ class Panel:
         """How many pixels the panel needs, from its top to its last line."""
         return sum(line.advance for line in self._lines())
 
-    def draw(self, painter: Painter, frame: Frame, top: float) -> None:
-        """Draw the panel, its upper edge at pixel `top`."""
+    def draw_still(self, painter: Painter, frame: Frame, top: float) -> None:
+        """Draw the panel without its facts, its upper edge at pixel `top`."""
+        self._draw(painter, frame, top, facts=False)
+
+    def draw_facts(self, painter: Painter, frame: Frame, top: float) -> None:
+        """Draw the facts of the panel whose upper edge is at pixel `top`."""
+        self._draw(painter, frame, top, facts=True)
+
+    def _draw(self, painter: Painter, frame: Frame, top: float, *, facts: bool) -> None:
+        """Draw the lines that are facts, or all others."""
         for line in self._lines():
             top += line.advance
-            line.draw(painter, frame, top)
+            if line.fact == facts:
+                line.draw(painter, frame, top)
 
     def _lines(self) -> list[Line]:
         """All lines, from top to bottom, a rule between any two parts."""
         head = [Line(NAME.size, shortened(self.name, NAME), NAME)]
         caption = broken(self.caption, CAPTION)
         head += [Line(CAPTION_ROW if row else 1.4 * CAPTION_ROW, words, CAPTION) for row, words in enumerate(caption)]
-        facts = [Line(ROW, label, LABEL, value=value) for label, value in self.facts]
+        facts = [Line(ROW, label, LABEL, value=value, fact=True) for label, value in self.facts]
         shares = [
             Line(SHARE_ROW, shortened(label, SHARE), SHARE, value=f"{count:,}", share=count / self.shares[0][1])
             for label, count in self.shares

@@ -2,45 +2,57 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import cycle
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from carom.draw.cells import cells_of, draw_cells
 from carom.draw.frame import MARGIN, Frame
+from carom.draw.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
+from carom.draw.layers import DEFAULT_LAYERS, Layer
 from carom.draw.legend import facts, legend, remarks
-from carom.draw.looks import GATE, LOOKS, MOVING, Look, look_of, parts, rounded
-from carom.draw.marks import arrow_mark, ball_mark, hit_mark, pivot_mark, shape_mark, track_style
+from carom.draw.looks import LOOKS, Look, ends_of, look_of
+from carom.draw.moment import STRONG, Balls, Drawn, Measures, Moment
+from carom.draw.names import draw_moving_names, draw_shape_names
 from carom.draw.painter import Style
 from carom.draw.panel import Panel
+from carom.draw.scenery import (
+    draw_ball_boxes,
+    draw_balls,
+    draw_boxes,
+    draw_sectors,
+    draw_shapes,
+    draw_tracks,
+    draw_velocities,
+    open_way,
+)
 from carom.draw.svg import SvgPainter
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.draw.trace import MOST_FOLLOWED
-from carom.draw.tracks import BANDS, bands, thinned
+from carom.draw.tracks import BANDS, thinned
+from carom.record.members import names_in, parts
+from carom.scene.capture import described_world
+from carom.scene.scene import Scene
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
-from carom.shapes.gate import Gate
-from carom.shapes.segment import Segment
-from carom.world.layout import HIT
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
-    from carom.draw.painter import Painter, Points, Vector
+    from carom.draw.cells import Cell
+    from carom.draw.frame import Size
+    from carom.draw.painter import Painter, Vector
     from carom.draw.trace import Trace
-    from carom.draw.tracks import Track
-    from carom.rows import Rows
     from carom.shapes.compound import Compound
     from carom.shapes.shape import Shape
     from carom.world.world import World
 
+__all__ = ["STRONG", "Balls", "Picture", "box_around", "looks_of", "open_way", "picture_of", "svg", "weight_for"]
+
 #: How many shapes the panel names at most.
 MOST_SHARES = 8
-#: The hits weaker than the strongest have sizes relative to this quantile of the impulses, so that one blow in a
-#: thousand does not make dust of all others.
-STRONG = 0.95
 #: Pixels: a track is drawn through the fewest points that keep it within this distance of its way.
 TRACK_TOLERANCE = 0.25
 #: A ball's radius in pixels at which lines have their full width; in pictures of smaller balls they are thinner.
@@ -49,41 +61,96 @@ THINNEST = 0.45
 
 
 @dataclass(frozen=True, slots=True)
-class Balls:
-    """The balls as they stand: `centers` (n, 2), `radii` (n,), `ids` (n,)."""
-
-    centers: Points
-    radii: NDArray[np.float64]
-    ids: NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True)
 class Picture:
-    """All that a picture shows; `draw` gives it to any painter that was made for its `frame`."""
+    """All that a picture shows; `draw` gives it to any painter that was made for its `frame`.
+
+    `draw_still` draws what is the same throughout a run, `draw_moving` what lies above that and is of one moment.
+    """
 
     panel: Panel
     frame: Frame
-    shapes: tuple[tuple[Shape, Look], ...]  # in the order in which they are drawn
-    balls: Balls
+    layers: frozenset[Layer]
+    still: tuple[Drawn, ...]  # in the order in which they are drawn
+    moment: Moment
     inks: Mapping[int, str]  # of the balls that have one of their own, by id
-    tracks: tuple[Track, ...]
-    hits: Rows  # the strongest first
+    names: Mapping[int, str]  # of shapes and balls, by id
+    cells: tuple[Cell, ...]
+    measures: Measures
     weight: float
+    of_run: bool  # whether hits belong to it, shown or not
+    bands: int = BANDS  # of tracks
 
     def draw(self, painter: Painter) -> None:
         """Draw everything, layer by layer."""
+        self.draw_still(painter)
+        self.draw_moving(painter)
+
+    def draw_still(self, painter: Painter) -> None:
+        """Draw the paper, the stage, and all that stays as it is."""
         painter.layer("ground")
         self._draw_ground(painter)
-        painter.layer("tracks")
-        self._draw_tracks(painter)
-        painter.layer("shapes")
-        self._draw_shapes(painter)
-        painter.layer("hits")
-        self._draw_hits(painter)
-        painter.layer("balls")
-        self._draw_balls(painter)
+        if self._begun(painter, Layer.CELLS):
+            draw_cells(painter, self.cells, self.frame.stage)
+        if self._begun(painter, Layer.BOXES):
+            draw_boxes(painter, self.still)
+        if self._begun(painter, Layer.SECTORS):
+            draw_sectors(painter, self.still)
+        if self._begun(painter, Layer.SENSORS):
+            draw_shapes(painter, self, self.still, sensors=True)
+        if self._begun(painter, Layer.SHAPES):
+            draw_shapes(painter, self, self.still, sensors=False)
+        if self._begun(painter, Layer.NAMES):
+            draw_shape_names(painter, self)
         painter.layer("panel")
-        self.panel.draw(painter, self.frame, MARGIN)
+        if self.frame.panel:
+            self.panel.draw_still(painter, self.frame, MARGIN)
+
+    def draw_moving(self, painter: Painter) -> None:
+        """Draw the moment."""
+        if self._begun(painter, Layer.TRACKS):
+            draw_tracks(painter, self, self.bands)
+        if self._begun(painter, Layer.LIGHTS):
+            draw_lights(painter, self)
+        self._draw_moving_shapes(painter)
+        if self._begun(painter, Layer.HITS):
+            draw_hits(painter, self)
+        if self._begun(painter, Layer.TANGENTS):
+            draw_tangents(painter, self)
+        if self._begun(painter, Layer.NORMALS):
+            draw_normals(painter, self)
+        if self._begun(painter, Layer.BALLS):
+            draw_balls(painter, self)
+        if self._begun(painter, Layer.VELOCITIES):
+            draw_velocities(painter, self)
+        if self._begun(painter, Layer.RETICLES):
+            draw_reticles(painter, self)
+        if self._begun(painter, Layer.NAMES, "-moving"):
+            draw_moving_names(painter, self)
+        painter.layer("facts")
+        if self.frame.panel:
+            self.panel.draw_facts(painter, self.frame, MARGIN)
+
+    def _draw_moving_shapes(self, painter: Painter) -> None:
+        """Draw what there is of shapes that move or are switched on and off."""
+        moving = self.moment.moving
+        if self._begun(painter, Layer.BOXES, "-moving"):
+            draw_boxes(painter, moving)
+            if Layer.BALLS in self.layers:
+                draw_ball_boxes(painter, self)
+        if not moving:
+            return
+        if self._begun(painter, Layer.SECTORS, "-moving"):
+            draw_sectors(painter, moving)
+        if self._begun(painter, Layer.SENSORS, "-moving"):
+            draw_shapes(painter, self, moving, sensors=True)
+        if self._begun(painter, Layer.SHAPES, "-moving"):
+            draw_shapes(painter, self, moving, sensors=False)
+
+    def _begun(self, painter: Painter, layer: Layer, part: str = "") -> bool:
+        """Whether a layer is shown; begins it, or a part of it, if so."""
+        if layer in self.layers:
+            painter.layer(f"{layer}{part}")
+        return layer in self.layers
 
     def _draw_ground(self, painter: Painter) -> None:
         """Draw the paper and the stage."""
@@ -95,62 +162,6 @@ class Picture:
             np.array(list(corners(stage.left, stage.bottom, stage.right, stage.top))),
             Style("rule", fill="stage", width=1.0),
         )
-
-    def _draw_tracks(self, painter: Painter) -> None:
-        """Draw the tracks, the oldest parts of all of them first."""
-        moving = [track for track in self.tracks if len(track.times) > 1]
-        if not moving:
-            return
-        start = min(float(track.times[0]) for track in moving)
-        end = max(float(track.times[-1]) for track in moving)
-        pieces: list[list[tuple[str, Points]]] = [[] for _ in range(BANDS)]
-        for track in moving:
-            ink = self.inks.get(track.ball, "ball")
-            for band, points in bands(thinned(track, self.frame.units(TRACK_TOLERANCE)), start, end):
-                pieces[band].append((ink, points))
-        for band, inked in enumerate(pieces):
-            for ink, points in inked:
-                for stretch in self._on_stage(points):
-                    painter.polyline(stretch, track_style(ink, band))
-
-    def _on_stage(self, points: Points) -> list[Points]:
-        """The stretches of a line whose points are all on the stage; a lone point makes none."""
-        shown = np.array([self.frame.shows(x, y) for x, y in points.tolist()])
-        starts = np.flatnonzero(np.diff(shown, prepend=False)) if len(shown) else shown
-        stretches = np.split(points, starts)
-        return [stretch for stretch in stretches if len(stretch) > 1 and self.frame.shows(*stretch[0].tolist())]
-
-    def _draw_shapes(self, painter: Painter) -> None:
-        """Draw the shapes, then the arrows of gates and the pivots of moving parts."""
-        for shape, look in self.shapes:
-            shape_mark(painter, self.frame, shape, look, self.weight)
-        for shape, _ in self.shapes:
-            if isinstance(shape, Gate):
-                arrow_mark(painter, self.frame, shape.position, open_way(shape), GATE.style)
-        for pivot in dict.fromkeys(rounded(shape.pivot) for shape, look in self.shapes if look is MOVING):
-            pivot_mark(painter, self.frame, pivot)
-
-    def _draw_balls(self, painter: Painter) -> None:
-        """Draw the balls that are on the stage."""
-        balls = self.balls
-        for (x, y), radius, ball in zip(balls.centers.tolist(), balls.radii.tolist(), balls.ids.tolist(), strict=True):
-            if self.frame.shows(x, y):
-                ball_mark(painter, self.frame, (x, y), radius, self.inks.get(ball, "ball"))
-
-    def _draw_hits(self, painter: Painter) -> None:
-        """Draw the hit points, the strongest first, so that none hides a weaker one."""
-        if len(self.hits) == 0:
-            return
-        strong = float(np.quantile(self.hits["impulse"], STRONG)) or 1.0
-        for (x, y), impulse in zip(self.hits["point"].tolist(), self.hits["impulse"].tolist(), strict=True):
-            if self.frame.shows(x, y):
-                hit_mark(painter, self.frame, (x, y), impulse / strong, self.weight)
-
-
-def open_way(gate: Gate) -> Vector:
-    """The unit normal of `gate` on the side that it lets balls pass to, however slanted its direction is."""
-    (x, y), (dx, dy) = gate.normal, gate.direction
-    return (x, y) if x * dx + y * dy > 0.0 else (-x, -y)
 
 
 def corners(left: float, low: float, right: float, high: float) -> tuple[Vector, Vector, Vector, Vector]:
@@ -165,28 +176,92 @@ def picture_of(
     caption: str = "",
     trace: Trace | None = None,
     shares: Sequence[tuple[str, int]] = (),
+    layers: Collection[Layer] = DEFAULT_LAYERS,
+    size: Size = None,
 ) -> Picture:
     """The picture of `world` as it stands, with the tracks and hits of the run that `trace` has followed, if any.
 
-    `shares` are the numbers of hits by what was hit, the largest first; the panel shows the first `MOST_SHARES`.
+    `shares` are the numbers of hits by what was hit, the largest first; the panel shows the first `MOST_SHARES`. What
+    `layers` there are says `Layer`; `size` is in pixels.
     """
-    shapes = looks_of(world.shapes)
     # Radii one by one: asking for the column of all of them would wake the balls that sleep.
     radii = np.array([ball.radius for ball in world.balls])
-    balls = Balls(world.balls.position.copy(), radii, world.balls.id.copy())
-    inks = dict(zip(singled_out(balls, trace), cycle(BALL_INKS), strict=False))
-    tracks = trace.tracks() if trace is not None else ()
-    hits = trace.hits if trace is not None else np.zeros(0, HIT)
-    panel = Panel(
-        name,
-        caption,
-        facts(world, trace),
-        tuple(shares[:MOST_SHARES]),
-        legend([look for _, look in shapes], samples_of(balls, inks), tracks=len(tracks) > 0, hits=len(hits) > 0),
-        remarks(world, trace, tracks),
+    balls = Balls(world.balls.position.copy(), radii, world.balls.id.copy(), world.balls.velocity.copy())
+    moment = Moment(world.time, balls) if trace is None else traced(world.time, balls, trace)
+    shapes = parts(world.shapes)
+    cells: tuple[Cell, ...] = ()
+    if Layer.CELLS in layers:
+        scene = Scene(world=described_world(world), shapes=list(world.shapes))
+        cells = cells_of(scene, float(radii.max(initial=0.0)))
+    still = drawn_of(shapes, [shape.id or 0 for shape in shapes])
+    bounces, tracks = (trace.bounces if trace is not None else 0), moment.tracks
+    picture = composed(
+        Panel(
+            name,
+            caption,
+            facts(world, trace),
+            tuple(shares[:MOST_SHARES]),
+            notes=remarks(layers, len(tracks), len(balls.ids), world.time - moment.since, bounces, cells),
+        ),
+        still,
+        moment,
+        box_around([(one.shape, one.look) for one in still], balls),
+        layers=frozenset(layers),
+        size=size,
+        inks=dict(zip(singled_out(balls, trace), cycle(BALL_INKS), strict=False)),
+        names=names_in(world),
+        cells=cells,
+        measures=Measures.of(moment.hits, balls.velocities),
+        of_run=trace is not None,
+        empty=[layer for layer, there in ((Layer.TRACKS, tracks), (Layer.HITS, moment.hits)) if not len(there)],
     )
-    frame = Frame.around(box_around(shapes, balls), panel.height)
-    return Picture(panel, frame, shapes, balls, inks, tracks, hits, weight_for(balls, frame))
+    tolerance = picture.frame.units(TRACK_TOLERANCE)
+    return replace(picture, moment=replace(moment, tracks=tuple(thinned(track, tolerance) for track in tracks)))
+
+
+def traced(time: float, balls: Balls, trace: Trace) -> Moment:
+    """The moment at the end of a run that was followed."""
+    tracks = tuple(track for track in trace.tracks() if len(track.times) > 1)
+    since = min((float(track.times[0]) for track in tracks), default=time)
+    return Moment(time, balls, (), tracks, since, trace.hits, trace.latest)
+
+
+def composed(
+    panel: Panel,
+    still: tuple[Drawn, ...],
+    moment: Moment,
+    box: Aabb,
+    *,
+    layers: frozenset[Layer],
+    size: Size,
+    inks: Mapping[int, str],
+    names: Mapping[int, str],
+    cells: tuple[Cell, ...],
+    measures: Measures,
+    of_run: bool,
+    empty: Collection[Layer],
+) -> Picture:
+    """The picture that shows a `box` of the world; its panel gets a legend, without the layers that are `empty`."""
+    drawn, balls = (*still, *moment.moving), moment.balls
+    absent = {
+        Layer.LIGHTS: not of_run,
+        Layer.RETICLES: not of_run,
+        Layer.VELOCITIES: len(balls.ids) == 0,
+        Layer.SECTORS: not any(isinstance(one.shape, Arc) for one in drawn),
+        Layer.CELLS: len(cells) == 0,
+    }
+    shown = [layer for layer in layers if layer not in empty and not absent.get(layer)]
+    panel = replace(panel, entries=legend({one.look for one in drawn}, samples_of(balls, inks), shown))
+    frame = Frame.fit(box, panel.height, size)
+    weight = weight_for(balls, frame)
+    return Picture(panel, frame, layers, still, moment, inks, names, cells, measures, weight, of_run)
+
+
+def drawn_of(shapes: Sequence[Shape], ids: Iterable[int]) -> tuple[Drawn, ...]:
+    """Single shapes with their looks and ids, in the order in which they are drawn."""
+    ends = ends_of(shapes)
+    drawn = [Drawn(shape, look_of(shape, ends), key) for shape, key in zip(shapes, ids, strict=True)]
+    return tuple(sorted(drawn, key=lambda one: LOOKS.index(one.look)))
 
 
 def singled_out(balls: Balls, trace: Trace | None) -> list[int]:
@@ -212,11 +287,7 @@ def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO) -> str:
 def looks_of(shapes: Iterable[Shape | Compound]) -> tuple[tuple[Shape, Look], ...]:
     """Each shape with its look, in the order in which they are drawn; the parts of compounds in place of these."""
     listed = parts(shapes)
-    ends = frozenset(
-        rounded(end) for shape in listed if isinstance(shape, Segment | Arc) for end in (shape.p0, shape.p1)
-    )
-    pairs = [(shape, look_of(shape, ends)) for shape in listed]
-    return tuple(sorted(pairs, key=lambda pair: LOOKS.index(pair[1])))
+    return tuple((drawn.shape, drawn.look) for drawn in drawn_of(listed, range(len(listed))))
 
 
 def box_around(shapes: Sequence[tuple[Shape, Look]], balls: Balls) -> Aabb:

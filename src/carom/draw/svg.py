@@ -6,7 +6,7 @@ from math import ceil, cos, pi, sin
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
-from carom.draw.theme import DARK, LIGHT, Theme, ThemeName
+from carom.draw.theme import DARK, LIGHT, THEMES, Theme, ThemeName
 
 if TYPE_CHECKING:
     from carom.draw.frame import Frame
@@ -104,8 +104,9 @@ class SvgPainter:
         """The whole SVG text."""
         self._close_layer()
         width, height = digits(self._frame.width), digits(self._frame.height)
+        shown_width, shown_height = self._frame.pixels
         head = (
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{shown_width}" height="{shown_height}" '
             f'viewBox="0 0 {width} {height}" role="img" fill="none" stroke-linecap="round" stroke-linejoin="round" '
             f'font-family="{FONT}">'
         )
@@ -116,7 +117,7 @@ class SvgPainter:
         """The style sheet: the colours of the inks in use, those of the dark theme behind a media query."""
         if self._theme is ThemeName.AUTO:
             return f"{self._colours(LIGHT)}@media(prefers-color-scheme:dark){{{self._colours(DARK)}}}"
-        return self._colours(LIGHT if self._theme is ThemeName.LIGHT else DARK)
+        return self._colours(THEMES[self._theme])
 
     def _colours(self, theme: Theme) -> str:
         """One rule for each class in use, in the order of their names."""

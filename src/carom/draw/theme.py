@@ -1,4 +1,4 @@
-"""The themes: which colour each ink has on a light and on a dark ground."""
+"""The themes: which colour each ink has on a light and on a dark ground, and on paper."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ class ThemeName(StrEnum):
     AUTO = "auto"
     LIGHT = "light"
     DARK = "dark"
+    PRINT = "print"
 
 
 #: The inks of single balls and their tracks, given out in turn.
@@ -48,6 +49,14 @@ LIGHT = Theme(
             "off": "#8f8b82",
             "post": "#3b424d",
             "hit": "#c2255c",
+            "glow": "#dd6b00",
+            "box": "#7a7f87",
+            "cell": "#3b5bdb",
+            "sector": "#1f68d1",
+            "tangent": "#9c36b5",
+            "normal": "#2b8a3e",
+            "velocity": "#22262c",
+            "reticle": "#c2255c",
             "ball": "#7a8594",
             "ball-1": "#0b8599",
             "ball-2": "#7048e8",
@@ -76,6 +85,14 @@ DARK = Theme(
             "off": "#6b7280",
             "post": "#c6ccd6",
             "hit": "#ff7aa8",
+            "glow": "#ffc14d",
+            "box": "#868e99",
+            "cell": "#91a7ff",
+            "sector": "#6cb2ff",
+            "tangent": "#da77f2",
+            "normal": "#69db7c",
+            "velocity": "#eceae5",
+            "reticle": "#ff7aa8",
             "ball": "#8b97a7",
             "ball-1": "#3bc9db",
             "ball-2": "#a58bff",
@@ -85,4 +102,46 @@ DARK = Theme(
             "ball-6": "#91a7ff",
         }
     ),
+)
+
+#: Black on white, without tints, for paper: greys, dashes and widths tell apart what colours do elsewhere.
+PRINT = Theme(
+    "print",
+    MappingProxyType(
+        {
+            "paper": "#ffffff",
+            "stage": "#ffffff",
+            "text": "#000000",
+            "muted": "#3d3d3d",
+            "rule": "#b5b5b5",
+            "wall": "#000000",
+            "bumper": "#000000",
+            "moving": "#666666",
+            "gate": "#000000",
+            "sensor": "#4d4d4d",
+            "off": "#8a8a8a",
+            "post": "#000000",
+            "hit": "#000000",
+            "glow": "#8a8a8a",
+            "box": "#6b6b6b",
+            "cell": "#4d4d4d",
+            "sector": "#6b6b6b",
+            "tangent": "#000000",
+            "normal": "#000000",
+            "velocity": "#000000",
+            "reticle": "#000000",
+            "ball": "#8a8a8a",
+            "ball-1": "#1c1c1c",
+            "ball-2": "#6f6f6f",
+            "ball-3": "#a3a3a3",
+            "ball-4": "#474747",
+            "ball-5": "#8a8a8a",
+            "ball-6": "#2e2e2e",
+        }
+    ),
+)
+
+#: The theme of each name; where the reader's setting cannot be known, it is light.
+THEMES: Mapping[ThemeName, Theme] = MappingProxyType(
+    {ThemeName.AUTO: LIGHT, ThemeName.LIGHT: LIGHT, ThemeName.DARK: DARK, ThemeName.PRINT: PRINT}
 )

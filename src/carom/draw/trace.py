@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.draw.moment import MOST_LATEST, bounces_of, latest_of
 from carom.draw.tracks import Floats, Track
 from carom.rows import Rows
-from carom.world.hits import HitKind
 from carom.world.layout import HIT
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ class Trace:
         self._samples: deque[Sample] = deque(maxlen=MOST_STEPS + 1)
         self._waiting: list[Rows] = [np.zeros(0, HIT)]
         self._waiting_count = 0
+        self._latest = np.zeros(0, HIT)
         self._sample(np.zeros(0, HIT))
 
     @property
@@ -81,11 +82,11 @@ class Trace:
 
     def note(self, hits: Rows) -> None:
         """Remember where the followed balls are now, and the `hits` of the step that brought them there."""
-        hits = np.asarray(hits)
-        bounces = hits[hits["kind"] == HitKind.BOUNCE]
+        bounces = bounces_of(hits)
         self.bounces += len(bounces)
         self._sample(bounces)
         if len(bounces) > 0:
+            self._latest = np.concatenate([self._latest, bounces[-MOST_LATEST:]])[-MOST_LATEST:]
             self._waiting.append(bounces)
             self._waiting_count += len(bounces)
             if self._waiting_count > MOST_WAITING:
@@ -105,6 +106,11 @@ class Trace:
         self._samples.append(Sample(self._world.time, self._ids, self._world.balls.position[self._rows], theirs))
 
     @property
+    def latest(self) -> Rows:
+        """The bounces of the last `LATEST` seconds, in order of time."""
+        return latest_of(self._latest, self._world.time)
+
+    @property
     def hits(self) -> Rows:
         """Up to `MOST_HITS` bounces, the strongest first; of equally strong ones, the earliest."""
         bounces = np.concatenate(self._waiting)
@@ -122,11 +128,15 @@ class Trace:
         seen = [(sample.time, sample.points[sample.ids == ball][0]) for sample in samples if ball in sample.ids]
         times = np.array([time for time, _ in seen])
         points = np.array([point for _, point in seen]).reshape(-1, 2)
-        bounce_times, bounce_points = centers_at(bounces, ball, self._radii[ball])
-        # A bounce at a step's end stands before the sample of that step: the ball may have moved on since.
-        times = np.concatenate([bounce_times, times])
-        order = np.argsort(times, kind="stable")
-        return Track(ball, times[order], np.concatenate([bounce_points, points])[order])
+        return track_through(ball, times, points, *centers_at(bounces, ball, self._radii[ball]))
+
+
+def track_through(ball: int, times: Floats, points: Points, bounce_times: Floats, bounce_points: Points) -> Track:
+    """The way of ball `ball` through its places at the ends of steps, and through those where it bounced."""
+    # A bounce at a step's end stands before the sample of that step: the ball may have moved on since.
+    times = np.concatenate([bounce_times, times])
+    order = np.argsort(times, kind="stable")
+    return Track(ball, times[order], np.concatenate([bounce_points, points])[order])
 
 
 def centers_at(bounces: Rows, ball: int, radius: float) -> tuple[Floats, Points]:

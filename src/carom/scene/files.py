@@ -34,7 +34,14 @@ def read_plain(path: str | os.PathLike[str]) -> Plain:
 def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
     """Nothing; writes `table` to a `.toml` or `.json` file, which is either as before or complete, whatever happens."""
     _, write = _form_of(path)
-    data = write(table).encode("utf-8")
+    try:
+        write_whole(path, write(table).encode("utf-8"))
+    except OSError as error:
+        raise SceneError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
+
+
+def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
+    """Nothing; makes `data` the contents of a file, which is either as before or complete; raises `OSError`."""
     target = Path(os.path.realpath(path))
     beside = target.with_name(f".{target.name}.{token_hex(8)}.part")
     try:
@@ -43,8 +50,6 @@ def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
             file.flush()
             os.fsync(file.fileno())
         beside.replace(target)
-    except OSError as error:
-        raise SceneError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
     finally:
         with suppress(OSError):
             beside.unlink()

@@ -9,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, Field, ValidationError
 
 from carom.checks import refuse
 from carom.errors import InvalidArgument, SceneError
+from carom.pictured import Pictured
 from carom.scene.capture import described_all, described_world
 from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
@@ -29,7 +30,7 @@ ShapeList = Annotated[
 BallList = Annotated[tuple[BallDescriptor, ...], BeforeValidator(described_all)]
 
 
-class Scene(Descriptor):
+class Scene(Descriptor, Pictured):
     """A world's settings, shapes and balls, as they stand at the beginning.
 
     `Scene(world=…, shapes=[…], balls=[…])` takes descriptors, tables as they stand in a file, and shapes and balls

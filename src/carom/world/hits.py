@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.checks import Vector
+from carom.extras import needed
 from carom.rows import Rows
 from carom.world.layout import BOUNCE, ENTER, EXIT, HIT
 
@@ -121,12 +122,9 @@ class Hits(np.ndarray[Any, np.dtype[Any]]):
         """The hits as a pyarrow table: the fields by name, points and normals as `_x` and `_y` columns.
 
         Raises:
-            ImportError: pyarrow is not installed; `pip install "carom[study]"` brings it.
+            MissingExtra: pyarrow is not installed; `pip install "carom[study]"` brings it.
         """
-        try:
-            import pyarrow
-        except ImportError:
-            raise ImportError('a table of hits needs pyarrow: pip install "carom[study]"') from None
+        module = needed("pyarrow", "pyarrow", "study", "tables of hits")
         rows = self.view(np.ndarray)
         columns: dict[str, Any] = {}
         for name in HIT.names or ():
@@ -135,7 +133,8 @@ class Hits(np.ndarray[Any, np.dtype[Any]]):
                 columns[f"{name}_y"] = np.ascontiguousarray(rows[name][:, 1])
             else:
                 columns[name] = np.ascontiguousarray(rows[name])
-        return pyarrow.table(columns)
+        table: pyarrow.Table = module.table(columns)
+        return table
 
 
 #: What a step without hits returns the rows of.

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom import checks
 from carom.checks import Vector
 from carom.errors import InvalidArgument, NonFiniteState
+from carom.pictured import Pictured
 from carom.rows import BALL, NO_RELATION, Motion, Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
@@ -46,7 +47,7 @@ SLICE_SECONDS = 0.1
 MOST_STEPS = 2**62
 
 
-class World(Settings, Queries):
+class World(Settings, Queries, Pictured):
     """Shapes and balls that collide.
 
     Every setting is a keyword argument and an attribute that can be changed while the world runs; `Settings` lists them

@@ -38,6 +38,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("COLUMNS", "120")
     (tmp_path / "good.toml").write_text(GOOD)
     (tmp_path / "bad.toml").write_text(BAD)
+    (tmp_path / "broken.carom").write_text("no recording")
     return tmp_path
 
 
@@ -109,7 +110,20 @@ def test_a_shipped_scene_runs_by_its_name(here: Path, capsys: pytest.CaptureFixt
         (("run", "good.toml", "--seconds", "-1"), "--seconds -1: must not be below 0"),
         (("run", "good.toml", "--seconds", "1/1000"), "less than half a step"),
         (("run", "good.toml", "--seconds", "1e300"), "more than 1e+12 steps"),
-        (("run", "good.toml", "--out", "run.png"), "run.png: its ending must be one of .svg, .csv, .toml"),
+        (
+            ("run", "good.toml", "--out", "run.bmp"),
+            "run.bmp: its ending must be one of .svg, .png, .gif, .mp4, .html, .carom, .csv, .toml",
+        ),
+        (("run", "good.toml", "--layers", "hit"), "--layers hit: no such layer; did you mean hits?"),
+        (("run", "good.toml", "--layers", "balls,zzz"), "--layers zzz: no such layer; there are cells, boxes,"),
+        (("run", "good.toml", "--size", "12"), "--size 12: must be from 64 to 8192 pixels"),
+        (("show", "good.toml", "--size", "1280*720"), "--size 1280*720: must be a width and a height like 1280x720"),
+        (("show", "good.toml", "--size", "1x2x3"), "--size 1x2x3: must be a width and a height"),
+        (("show", "good.toml", "--at", "1"), "--at 1: is for recordings; good is a scene"),
+        (("show", "good.toml", "--at", "x"), "--at x: is no number"),
+        (("run", "gas", "--seconds", "1e6", "--out", "gas.mp4"), "GB of memory; make --seconds less"),
+        (("show", "good.toml", "--out", "run.gif"), "its ending must be one of .svg, .png"),
+        (("show", "broken.carom"), "broken.carom: is damaged or no recording"),
         (("run", "good.toml", "--out", "no/run.svg"), "there is no folder no"),
         (("run", "good.toml", "--out", "good.toml"), "is the scene itself"),
         (("run", "good.toml", "--out", "a.svg", "--out", "a.svg"), "asked for twice"),
@@ -203,13 +217,13 @@ def test_a_file_that_cannot_be_written_in_the_end_fails_alone(
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("carom.cli.commands.write_hits", full)
+    monkeypatch.setattr("carom.cli.files.write_hits", full)
     status, out, err = carom_says(capsys, "run", "good.toml", "--seconds", "1", "--out", "run.csv", "--out", "run.svg")
     assert status == 1
     assert "run.csv" in err
     assert "No space left" in err
     assert "wrote run.svg" in out
-    assert sorted(path.name for path in here.iterdir()) == ["bad.toml", "good.toml", "run.svg"]
+    assert sorted(path.name for path in here.iterdir()) == ["bad.toml", "broken.carom", "good.toml", "run.svg"]
 
 
 @pytest.mark.usefixtures("here")

@@ -72,6 +72,14 @@ def test_one_file_asked_for_twice_is_refused(tmp_path: Path) -> None:
         check_outputs([tmp_path / "run.svg", tmp_path / "a" / ".." / "run.svg"], ENDINGS, None)
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_a_device_is_refused_and_stays_one(tmp_path: Path) -> None:
+    link = tmp_path / "run.svg"
+    link.symlink_to("/dev/full")
+    assert "a device or the like" in refusal(link)
+    assert Path("/dev/full").is_char_device()
+
+
 def test_checking_leaves_nothing_behind(tmp_path: Path) -> None:
     check_outputs([tmp_path / "run.svg", tmp_path / "run.csv"], ENDINGS, None)
     assert list(tmp_path.iterdir()) == []

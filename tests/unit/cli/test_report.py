@@ -5,7 +5,7 @@ import pytest
 from rich.console import Console
 
 import carom
-from carom.cli.report import MOST_ROWS, Bar, counted, pace, summary
+from carom.cli.report import MOST_ROWS, Bar, FilmBar, counted, pace, summary
 from carom.cli.running import Outcome
 from carom.cli.tally import Tally
 from carom.world.hits import HitKind
@@ -14,9 +14,9 @@ from carom.world.layout import HIT
 
 def told(world: carom.World, *, steps: int = 60, asked: int = 60, hits: np.ndarray | None = None) -> str:
     """The summary of a run, as it is printed."""
-    tally = Tally(world)
+    tally = Tally.of(world)
     tally.add(np.zeros(0, HIT) if hits is None else hits)
-    outcome = Outcome(steps, asked, 0.5, tally, np.zeros(0, HIT), None)
+    outcome = Outcome(steps, asked, 0.5, tally, np.zeros(0, HIT), None, None)
     console = Console(width=100)
     with console.capture() as capture:
         console.print(summary("table", world, outcome, 1 / 60))
@@ -97,3 +97,14 @@ def test_the_bar_is_silent_where_there_is_no_terminal(capsys: pytest.CaptureFixt
     with Bar("table", 600, 1 / 60) as bar:
         bar.tell(300, 0.5)
     assert capsys.readouterr() == ("", "")
+
+
+def test_the_bar_of_a_film_shows_its_frames_and_goes(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("TERM", "xterm")
+    with FilmBar("gif") as bar:
+        for done in (1, 2, 40):
+            bar.tell(done, 40)
+    assert "40 of 40 frames" in capsys.readouterr().err

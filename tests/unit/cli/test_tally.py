@@ -3,7 +3,7 @@
 import numpy as np
 
 import carom
-from carom.cli.tally import BALLS, Tally, label_of, name_of
+from carom.cli.tally import BALLS, Tally
 from carom.world.hits import HitKind
 from carom.world.layout import HIT
 
@@ -19,7 +19,7 @@ def hits_of(*rows: tuple[int, int, float, float]) -> np.ndarray:
 def test_shapes_of_one_name_count_together_whenever_they_are_hit() -> None:
     world = carom.World()
     left, right = (world.add(carom.Point((x, 0), name="post")) for x in (0, 1))
-    tally = Tally(world)
+    tally = Tally.of(world)
     tally.add(hits_of((HitKind.BOUNCE, left.id, 2.0, 5.0), (HitKind.BOUNCE, right.id, 3.0, 4.0)))
     tally.add(hits_of())
     tally.add(hits_of((HitKind.BOUNCE, right.id, 1.0, 1.0)))
@@ -27,21 +27,10 @@ def test_shapes_of_one_name_count_together_whenever_they_are_hit() -> None:
     assert (count.label, count.bounces, count.fastest, count.strongest) == ("post", 3, 3.0, 5.0)
 
 
-def test_a_part_has_the_name_of_its_compound_unless_it_has_its_own() -> None:
-    named, unnamed = carom.Point((0, 0), name="tip"), carom.Point((1, 0))
-    carom.Compound([named, unnamed], pivot=(0, 0), name="flipper")
-    assert name_of(named) == "tip"
-    assert name_of(unnamed) == "flipper"
-
-
-def test_what_has_no_name_is_called_by_kind_and_place() -> None:
-    assert label_of(carom.Segment((0, 0), (3, 1))) == "segment at (1.5, 0.5)"
-
-
 def test_sensors_count_entries_only() -> None:
     world = carom.World()
     lane = world.add(carom.Segment((0, 0), (1, 0), sensor=True, name="lane"))
-    tally = Tally(world)
+    tally = Tally.of(world)
     tally.add(hits_of((HitKind.ENTER, lane.id, 0.0, 0.0), (HitKind.EXIT, lane.id, 0.0, 0.0)))
     (count,) = tally.counts()
     assert (count.bounces, count.entries) == (0, 1)
@@ -51,7 +40,7 @@ def test_balls_among_each_other_are_one_line_and_the_most_frequent_comes_first()
     world = carom.World()
     wall = world.add(carom.Segment((0, 0), (1, 0), name="wall"))
     first, second = (world.add(carom.Ball((x, 1), 0.1)) for x in (0, 1))
-    tally = Tally(world)
+    tally = Tally.of(world)
     bounces = [(HitKind.BOUNCE, shape.id, 1.0, 1.0) for shape in (first, second, wall)]
     tally.add(hits_of(*bounces))
     assert [(count.label, count.bounces) for count in tally.counts()] == [(BALLS, 2), ("wall", 1)]

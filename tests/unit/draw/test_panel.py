@@ -17,7 +17,7 @@ def test_the_last_line_stands_at_the_panel_s_height() -> None:
         def text(self, position: tuple[float, float], *_: object) -> None:
             places.append(frame.pixel(*position)[1])
 
-    panel.draw(Painter(frame), frame, 7.0)
+    panel.draw_still(Painter(frame), frame, 7.0)
     assert round(max(places) - 7.0, 9) == round(panel.height, 9)
 
 

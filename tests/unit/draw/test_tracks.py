@@ -50,3 +50,19 @@ def test_bands_cover_the_way_from_end_to_end_without_gaps() -> None:
 
 def test_a_track_that_ends_early_is_in_the_older_bands_only() -> None:
     assert [band for band, _ in bands(track_of([(0, 0), (1, 0)]), 0.0, 4.0)] == [0, 1, 2]
+
+
+@given(st.lists(st.tuples(st.floats(-10, 10), st.floats(-10, 10)), min_size=1, max_size=60), st.floats(0.01, 3.0))
+def test_a_track_thinned_in_time_is_near_its_way_at_every_time(
+    points: list[tuple[float, float]], tolerance: float
+) -> None:
+    track = track_of(points)
+    thin = thinned(track, tolerance, in_time=True)
+    for axis in (0, 1):
+        there = np.interp(track.times, thin.times, thin.points[:, axis])
+        assert (np.abs(there - track.points[:, axis]) <= tolerance * (1 + 1e-9)).all()
+
+
+def test_points_of_one_time_are_kept_apart() -> None:
+    track = Track(1, np.zeros(3), np.array([(0.0, 0.0), (1.0, 0.0), (0.0, 0.0)]))
+    assert len(thinned(track, 0.1, in_time=True).times) == 3

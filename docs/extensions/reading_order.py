@@ -1,0 +1,8 @@
+"""The order of the gallery."""
+
+#: The examples by their files' names: first what the library is about, then what can be done with it.
+EXAMPLES = (
+    "arc_room", "galton_board", "newtons_cradle", "galperin_pi", "maxwell_gas", "common_tangents", "guard_points",
+    "two_modes", "stadium_chaos", "sinai_billiard", "bowl", "flipper", "pool_line", "lidar", "pinball_hits",
+    "snapshots", "layers",
+)  # fmt: skip

@@ -1,0 +1,54 @@
+"""What the shapes and balls of a world are called, and the single shapes that compounds stand for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from carom.scene.guarding import guarded
+from carom.shapes.compound import Compound
+from carom.shapes.pose import pose
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from carom.scene.scene import Scene
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+
+def parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
+    """The single shapes among `shapes`, in order, the parts of compounds in place of these."""
+    return [part for shape in shapes for part in (shape.shapes if isinstance(shape, Compound) else (shape,))]
+
+
+def shapes_of(scene: Scene) -> list[Shape]:
+    """New shapes, of no world, as `scene` describes them: single ones, in the order of a world built from it."""
+    shapes = [descriptor.build() for descriptor in scene.shapes]
+    return parts(guarded(shapes) if scene.guard else shapes)
+
+
+def put(shape: Shape, x: float, y: float, orientation: float) -> None:
+    """Nothing; puts a shape of no world where its pivot is at (x, y) and it has turned to `orientation`."""
+    row = shape._row
+    row["pivot_x"], row["pivot_y"], row["orientation"] = x, y, orientation
+    pose(row)
+
+
+def name_of(shape: Shape) -> str | None:
+    """The name of `shape`, or that of the compound that it is a part of, or None."""
+    if shape.name is None and shape.compound is not None:
+        return shape.compound.name
+    return shape.name
+
+
+def names_in(world: World) -> dict[int, str]:
+    """The names of the shapes and balls that have one, by id."""
+    named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
+    named += [(ball.id, ball.name) for ball in world.balls]
+    return {member: name for member, name in named if member is not None and name is not None}
+
+
+def label_of(shape: Shape) -> str:
+    """What to call `shape` in a list: its name, or what and where it is."""
+    x, y = shape.position
+    return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"

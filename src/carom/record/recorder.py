@@ -1,0 +1,171 @@
+"""`Recorder`: notes a world's state after each step, for a `Recording`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom import checks
+from carom.record.members import names_in, parts
+from carom.record.recording import Recording
+from carom.rows import KINEMATIC
+from carom.scene.scene import Scene
+from carom.world.layout import HIT
+from carom.world.world import World
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from carom.rows import Rows
+
+#: What is noted of a ball at a frame.
+BALL_FIELDS = ["id", "x", "y", "vx", "vy", "radius", "mass", "asleep"]
+
+
+class Recorder:
+    """Follows a world; `note` is to be called after each step, `finish` at the end.
+
+    The world is not changed. Balls may come and go. Of the shapes, those that are there at the beginning are followed:
+    where kinematic ones are, and which ones can collide. A geometry that is set anew is not seen.
+
+    >>> import carom
+    >>> from carom.record import Recorder
+    >>> world = carom.scenes.toy().build()
+    >>> recorder = Recorder(world, name="toy")
+    >>> for _ in range(60):
+    ...     recorder.note(world.step(1 / 60))
+    >>> recorder.finish()
+    <recording of 61 frames, 5 balls, 6 hits>
+    """
+
+    def __init__(self, world: World, *, name: str = "", about: str = "", every: int = 1) -> None:
+        if not isinstance(world, World):
+            raise checks.refuse("world", "must be a World", world)
+        self._world = world
+        self._name, self._about = name, about
+        self._every = checks.whole("every", every, 1)
+        self._steps = 0
+        self._scene = Scene.from_world(world)
+        self._names = names_in(world)
+        self._shape_ids = np.array([shape.id for shape in parts(world.shapes)], np.int64)
+        rows = world._room.shapes.used
+        self._moving = rows["id"][(rows["motion"] == KINEMATIC) & np.isin(rows["id"], self._shape_ids)].copy()
+        self._times: list[float] = []
+        self._balls: list[Rows] = []
+        self._poses: list[NDArray[np.float64]] = []
+        self._colliding: list[NDArray[np.bool_]] = []
+        self._hits: list[Rows] = []
+        self._take()
+
+    def note(self, hits: Rows | None = None) -> None:
+        """Nothing; notes a step that was made, and its `hits`."""
+        if hits is not None and len(hits):
+            self._hits.append(np.asarray(hits))
+        self._steps += 1
+        if self._steps % self._every == 0:
+            self._take()
+
+    def finish(self) -> Recording:
+        """The recording of all that was noted until now; the last step is a frame of it."""
+        if self._steps % self._every != 0:
+            self._take()
+            self._steps = 0
+        hits = np.concatenate([np.zeros(0, HIT), *self._hits])
+        ids = np.unique(np.concatenate([rows["id"] for rows in self._balls]))
+        return Recording(
+            scene=self._scene,
+            times=np.array(self._times),
+            **self._ball_columns(ids),
+            shape_ids=self._shape_ids,
+            colliding=self._stacked(),
+            moving=self._moving,
+            poses=np.array(self._poses).reshape(len(self._times), len(self._moving), 3),
+            # A ball in flight finds out that it has left a sensor only later, sometimes after a step's end.
+            hits=np.take(hits, np.argsort(hits["time"], kind="stable")),
+            names=self._names | names_in(self._world),
+            statistics=self._world.statistics.as_dict(),
+            name=self._name,
+            about=self._about,
+        )
+
+    def _take(self) -> None:
+        """Nothing; notes the world as it stands as a frame."""
+        room = self._world._room
+        self._times.append(self._world.time)
+        self._balls.append(room.balls.used[BALL_FIELDS].copy())
+        shapes = room.shapes.used
+        there, places = self._places(shapes["id"], self._moving)
+        poses = self._poses[-1].copy() if self._poses else np.zeros((len(self._moving), 3))
+        for column, field in enumerate(("pivot_x", "pivot_y", "orientation")):
+            poses[there, column] = shapes[field][places]
+        self._poses.append(poses)
+        there, places = self._places(shapes["id"], self._shape_ids)
+        there[there] = shapes["can_collide"][places] != 0
+        # Frames that agree share one array: most runs switch no shape off, and scenes may have thousands.
+        same = bool(self._colliding) and np.array_equal(self._colliding[-1], there)
+        self._colliding.append(self._colliding[-1] if same else there)
+
+    @staticmethod
+    def _places(ids: NDArray[np.int64], wanted: NDArray[np.int64]) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
+        """Which of the `wanted` are among ascending `ids`, (wanted,), and where these stand there."""
+        there = np.isin(wanted, ids)
+        return there, np.searchsorted(ids, wanted[there])
+
+    def _stacked(self) -> NDArray[np.bool_]:
+        """Which shapes collide at each frame: (n, s), without copies where that never changes."""
+        first = self._colliding[0]
+        if all(frame is first for frame in self._colliding):
+            return np.broadcast_to(first, (len(self._colliding), len(first)))
+        return np.array(self._colliding)
+
+    def _ball_columns(self, ids: NDArray[np.int64]) -> dict[str, Any]:
+        """What was noted of the balls `ids`, as the columns of a recording."""
+        frames, balls = len(self._balls), len(ids)
+        radii, masses = np.zeros(balls), np.zeros(balls)
+        positions = np.full((frames, balls, 2), np.nan)
+        velocities = np.full((frames, balls, 2), np.nan)
+        asleep = np.zeros((frames, balls), np.bool_)
+        for frame, rows in enumerate(self._balls):
+            places = np.searchsorted(ids, rows["id"])
+            radii[places], masses[places] = rows["radius"], rows["mass"]
+            positions[frame, places, 0], positions[frame, places, 1] = rows["x"], rows["y"]
+            velocities[frame, places, 0], velocities[frame, places, 1] = rows["vx"], rows["vy"]
+            asleep[frame, places] = rows["asleep"] != 0
+        return {
+            "ids": ids,
+            "radii": radii,
+            "masses": masses,
+            "positions": positions,
+            "velocities": velocities,
+            "asleep": asleep,
+        }
+
+
+def recorded(
+    world: World,
+    seconds: float,
+    dt: float,
+    every: int,
+    name: str,
+    about: str,
+    progress: Callable[[float, float], Any] | None,
+) -> Recording:
+    """A recording of a run that `world` makes now; see `Recording.of`."""
+    total, length = checks.non_negative("seconds", seconds), checks.positive("dt", dt)
+    steps = round(total / length)
+    if progress is not None and not callable(progress):
+        raise checks.refuse("progress", "must be callable or None", progress)
+    recorder = Recorder(world, name=name, about=about, every=every)
+    done = 0
+    while done < steps:
+        count = min(recorder._every, steps - done)
+        hits = world.run(count * length, dt=length)
+        for step in range(count):
+            recorder.note(hits if step == 0 else None)
+        done += count
+        if progress is not None:
+            progress(done * length, steps * length)
+    return recorder.finish()

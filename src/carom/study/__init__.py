@@ -1,0 +1,4 @@
+"""Studies of runs: plots of what a recording holds.
+
+`plots` needs matplotlib: `pip install "carom[study]"`.
+"""

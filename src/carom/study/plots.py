@@ -1,0 +1,194 @@
+"""Plots of a run, one call each: its energy, what was hit how often, where balls were, how fast they were.
+
+Each takes a `Recording`, draws into `axes`, or into a new figure where there are none, and returns the axes. The extra
+`study` brings matplotlib, which is imported when the first plot is made.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import non_negative, refuse, whole
+from carom.extras import needed
+from carom.shapes.arc import Arc
+from carom.shapes.circle import Circle
+from carom.shapes.segment import Segment
+from carom.world.hits import HitKind
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from carom.record import Recording
+
+Floats: TypeAlias = NDArray[np.float64]
+
+#: How many rows `hits_by_shape` has at most; what was hit less often shares the last one.
+MOST_ROWS = 12
+#: How many cells a map has at most along a side, and a histogram in all: more than any picture has pixels.
+MOST_CELLS = 10_000
+#: Colours that can be told apart on light and dark grounds, and without colour sight: of one thing, another, lines.
+FIRST, SECOND, OUTLINE = "#1f8aa8", "#d9480f", "#8a9099"
+#: The part of its greatest width that a heat map is drawn beyond the shapes.
+MARGIN = 0.02
+
+
+def energy(recording: Recording, axes: Axes | None = None) -> Axes:
+    """The plot of energy over time: the balls' kinetic energy, and with gravity the sum with their potential energy.
+
+    >>> import carom
+    >>> from carom.study import plots
+    >>> axes = plots.energy(carom.Recording.of(carom.scenes.newtons_cradle().build(), seconds=0.1))
+    >>> axes.get_xlabel()
+    'time in s'
+    """
+    axes = axes or _new_axes()
+    kinetic, total = recording.kinetic_energy(), recording.energy()
+    if np.array_equal(kinetic, total):
+        axes.plot(recording.times, kinetic, color=FIRST)
+    else:
+        axes.plot(recording.times, total, color=SECOND, label="kinetic and potential")
+        axes.plot(recording.times, kinetic, color=FIRST, label="kinetic")
+        axes.legend(frameon=False, loc="upper right", ncols=2)
+    axes.set_ylim(*_room_for(np.concatenate((kinetic, total))))
+    return _named(axes, "Energy", "time in s", "energy")
+
+
+def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int = MOST_ROWS) -> Axes:
+    """The plot of how often each shape was hit, the most often first, by name; balls count together.
+
+    `rows` is how many bars there are at most; the last one then stands for all others.
+    """
+    rows = whole("rows", rows, 2)
+    axes = axes or _new_axes()
+    bounces = recording.hits[recording.hits["kind"] == HitKind.BOUNCE]
+    ids, counts = np.unique(bounces["shape"], return_counts=True)
+    balls = set(recording.ids.tolist())
+    tally: Counter[str] = Counter()
+    for shape, count in zip(ids.tolist(), counts.tolist(), strict=True):
+        tally["another ball" if shape in balls else recording.label_of(shape)] += count
+    bars = tally.most_common()
+    if len(bars) > rows:
+        rest = bars[rows - 1 :]
+        bars = [*bars[: rows - 1], (f"{len(rest)} others", sum(count for _, count in rest))]
+    drawn = axes.barh(range(len(bars)), [count for _, count in bars], color=FIRST)
+    axes.set_yticks(range(len(bars)), [label for label, _ in bars])
+    axes.invert_yaxis()
+    axes.bar_label(drawn, fmt="{:,.0f}", padding=3)
+    axes.margins(x=0.12)
+    return _named(axes, "Hits by shape", "hits", "")
+
+
+def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80) -> Axes:
+    """The map of where balls were: each cell's colour is its share of all balls' time, shapes are outlined.
+
+    Colours go by the root of the share, so that what is rarely visited can be told from what never is. `cells` is how
+    many there are along the longer side.
+    """
+    cells = whole("cells", cells, 1, MOST_CELLS)
+    axes = axes or _new_axes()
+    places = recording.positions.reshape(-1, 2)
+    places = places[np.isfinite(places).all(axis=1)]
+    left, bottom, right, top = _extent(recording, places)
+    side = max(right - left, top - bottom) / cells
+    columns, rows = max(1, round((right - left) / side)), max(1, round((top - bottom) / side))
+    counts, _, _ = np.histogram2d(
+        places[:, 0], places[:, 1], bins=(columns, rows), range=((left, right), (bottom, top))
+    )
+    share = counts.T / max(1, len(places))
+    norm = needed("matplotlib.colors", "matplotlib", "study", "plots").PowerNorm(0.5, vmin=0.0)
+    extent = (left, right, bottom, top)
+    image = axes.imshow(share, norm=norm, origin="lower", extent=extent, cmap="magma", interpolation="nearest")
+    axes.figure.colorbar(image, ax=axes, label="share of the time", shrink=0.8)
+    _outline(recording, axes)
+    axes.set_aspect("equal")
+    return _named(axes, "Where the balls were", "x", "y")
+
+
+def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0, bins: int = 60) -> Axes:
+    """The plot of how speeds are distributed over all balls and all frames from the time `since` on.
+
+    Beside it, what Maxwell's law says of balls of these masses and this energy in equilibrium: in the plane, a ball of
+    mass m has the speed v with the density m·v/T·exp(-m·v²/2T), T being its mean kinetic energy.
+    """
+    since, bins = non_negative("since", since), whole("bins", bins, 1, MOST_CELLS)
+    frames = recording.times - recording.times[0] >= since
+    if not frames.any():
+        raise refuse("since", f"must not be past the end, {recording.duration!r} s", since)
+    axes = axes or _new_axes()
+    squared = np.sum(recording.velocities[frames] ** 2, axis=-1)
+    there = np.isfinite(squared)
+    masses = np.broadcast_to(recording.masses, squared.shape)[there]
+    speed = np.sqrt(squared[there])
+    if len(speed) == 0:
+        return _named(axes, "Speeds", "speed", "density")
+    fastest = float(speed.max()) or 1.0
+    axes.hist(speed, bins=bins, range=(0.0, fastest), density=True, color=FIRST, alpha=0.75, label="balls")
+    temperature = float(np.mean(0.5 * masses * squared[there]))
+    if temperature > 0.0:
+        grid = np.linspace(0.0, fastest, 200)
+        axes.plot(grid, maxwell(grid, masses, temperature), color=SECOND, label="Maxwell")
+        axes.legend(frameon=False)
+    return _named(axes, "Speeds", "speed", "density")
+
+
+def maxwell(speed: Floats, masses: Floats, temperature: float) -> Floats:
+    """The density of speeds in the plane for balls of `masses` whose mean kinetic energy is `temperature`."""
+    kinds, counts = np.unique(masses, return_counts=True)
+    ratio = kinds[:, None] / temperature
+    each = ratio * speed * np.exp(-0.5 * ratio * speed * speed)
+    mean: Floats = np.average(each, axis=0, weights=counts)
+    return mean
+
+
+def _new_axes() -> Axes:
+    """The axes of a new figure."""
+    pyplot = needed("matplotlib.pyplot", "matplotlib", "study", "plots")
+    _, axes = pyplot.subplots(figsize=(7.0, 4.2), layout="constrained")
+    made: Axes = axes
+    return made
+
+
+def _named(axes: Axes, title: str, x: str, y: str) -> Axes:
+    """The axes with their words."""
+    axes.set_title(title)
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    return axes
+
+
+def _room_for(values: Floats) -> tuple[float, float]:
+    """Limits that hold 0 and all `values`, so that what is constant looks so, with room above for a legend."""
+    low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
+    room = 0.05 * (high - low) or 1.0
+    return low - (room if low < 0.0 else 0.0), high + 3.0 * room
+
+
+def _extent(recording: Recording, places: Floats) -> tuple[float, float, float, float]:
+    """The box (left, bottom, right, top) of all shapes at the beginning; of the balls' places where there are none."""
+    boxes = np.array([tuple(shape.aabb) for shape in recording.shapes_at(0)]).reshape(-1, 4)
+    if len(boxes) == 0:
+        boxes = np.concatenate((places, places), axis=1)
+    if len(boxes) == 0:
+        return 0.0, 0.0, 1.0, 1.0
+    left, bottom = boxes[:, :2].min(axis=0).tolist()
+    right, top = boxes[:, 2:].max(axis=0).tolist()
+    margin = MARGIN * max(right - left, top - bottom) or 0.5
+    return left - margin, bottom - margin, right + margin, top + margin
+
+
+def _outline(recording: Recording, axes: Axes) -> None:
+    """Draw the lines of all shapes as they stood at the beginning."""
+    patches: Any = needed("matplotlib.patches", "matplotlib", "study", "plots")
+    for shape in recording.shapes_at(0):
+        if isinstance(shape, Segment):
+            axes.plot(*zip(shape.p0, shape.p1, strict=True), color=OUTLINE, linewidth=1.0)
+        elif isinstance(shape, Arc):
+            angles = (np.degrees(shape.start_angle), np.degrees(shape.end_angle))
+            size = 2.0 * shape.radius
+            axes.add_patch(patches.Arc(shape.center, size, size, theta1=angles[0], theta2=angles[1], color=OUTLINE))
+        elif isinstance(shape, Circle):
+            axes.add_patch(patches.Circle(shape.center, shape.radius, fill=False, color=OUTLINE))

@@ -1,0 +1,257 @@
+"""Recordings as files: every bit comes back, the same run makes the same bytes, and what is damaged is refused."""
+
+import io
+import json
+import zlib
+from collections.abc import Callable
+from dataclasses import fields, replace
+from math import inf, nan
+from pathlib import Path
+from random import Random
+from typing import Any
+from zipfile import ZIP_STORED, ZipFile
+
+import numpy as np
+import pytest
+
+import carom
+from carom.record import files
+from tests.sample_worlds import crowded, quiet
+
+
+@pytest.fixture(scope="module")
+def recording() -> carom.Recording:
+    """A recording of everything that a world can hold, a ball that leaves and a shape that is switched off among it."""
+    world = crowded(remove_strays=True)
+    recorder = carom.Recorder(world, name="crowd \ud800 </script>", about="all kinds")
+    for step in range(20):
+        recorder.note(world.step(1 / 60))
+        if step == 9:
+            world.remove(world.balls[2])
+            world.shapes[0].can_collide = False
+    return recorder.finish()
+
+
+def same(one: carom.Recording, other: carom.Recording) -> bool:
+    """Whether two recordings agree in every bit."""
+    for field in fields(one):
+        first, second = getattr(one, field.name), getattr(other, field.name)
+        if isinstance(first, np.ndarray):
+            if (first.dtype, first.shape, first.tobytes()) != (second.dtype, second.shape, second.tobytes()):
+                return False
+        elif first != second:
+            return False
+    return True
+
+
+def test_every_bit_comes_back(tmp_path: Path, recording: carom.Recording) -> None:
+    recording.save(tmp_path / "run.carom")
+    assert same(carom.Recording.load(tmp_path / "run.carom"), recording)
+    assert [path.name for path in tmp_path.iterdir()] == ["run.carom"]
+
+
+@pytest.mark.parametrize("seconds", [0.0, 1 / 60, 2 / 60])
+def test_runs_of_few_frames_come_back_too(tmp_path: Path, seconds: float) -> None:
+    for number, world in enumerate((carom.World(), quiet())):
+        recording = carom.Recording.of(world, seconds)
+        recording.save(tmp_path / f"{number}")
+        assert same(carom.Recording.load(tmp_path / f"{number}"), recording)
+
+
+def test_the_same_run_makes_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        carom.Recording.of(quiet(), 0.5).save(tmp_path / name)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+
+
+def test_files_are_compact(tmp_path: Path) -> None:
+    recording = carom.Recording.of(carom.scenes.toy().build(), 2.0)
+    recording.save(tmp_path / "run.carom")
+    with ZipFile(tmp_path / "run.carom") as archive:
+        for name, part in (("positions", 0.5), ("velocities", 0.8), ("hits", 1.2), ("poses", 0.5)):
+            plain = zlib.compress(np.ascontiguousarray(getattr(recording, name)).tobytes())
+            assert archive.getinfo(name).compress_size < part * len(plain), name
+
+
+def refusal(path: Path) -> str:
+    """What is said of a file that is refused: one line that begins with its name."""
+    with pytest.raises(carom.RecordingError) as caught:
+        carom.Recording.load(path)
+    text = str(caught.value)
+    assert text.startswith(f"{path}: ")
+    assert "\n" not in text
+    return text
+
+
+def test_a_file_that_is_cut_anywhere_is_refused(tmp_path: Path, recording: carom.Recording) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    data = path.read_bytes()
+    for length in {0, 1, 10, len(data) // 4, len(data) // 2, len(data) - 30, len(data) - 1}:
+        path.write_bytes(data[:length])
+        assert "is damaged or no recording" in refusal(path)
+
+
+def test_a_file_with_a_flipped_bit_is_refused_or_the_same(tmp_path: Path, recording: carom.Recording) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    data = path.read_bytes()
+    random = Random(1)
+    told = []
+    for _ in range(60):
+        damaged = bytearray(data)
+        damaged[random.randrange(len(data))] ^= 1 << random.randrange(8)
+        path.write_bytes(bytes(damaged))
+        try:
+            assert same(carom.Recording.load(path), recording)
+        except carom.RecordingError as error:
+            told.append(str(error))
+    assert len(told) > 40
+    assert [text for text in told if not text.startswith(f"{path}: ")] == []
+
+
+def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "run.carom"
+    assert "cannot be read: No such file" in refusal(path)
+    path.write_text("version = 1\n")
+    assert "is damaged or no recording" in refusal(path)
+    with ZipFile(path, "w") as archive:
+        archive.writestr("x", "y")
+    assert "is no recording: KeyError" in refusal(path)
+    for name in (5, "a\0b"):
+        with pytest.raises(carom.RecordingError, match="path must be a file's name"):
+            carom.Recording.load(name)
+
+
+def changed(data: bytes, name: str, change: Callable[[bytes], bytes]) -> bytes:
+    """An archive in which one entry is another, with check sums that fit."""
+    memory = io.BytesIO()
+    with ZipFile(io.BytesIO(data)) as old, ZipFile(memory, "w", ZIP_STORED) as new:
+        for entry in old.namelist():
+            new.writestr(entry, change(old.read(entry)) if entry == name else old.read(entry))
+    return memory.getvalue()
+
+
+def head(**values: Any) -> Callable[[bytes], bytes]:
+    """A change of the head."""
+
+    def change(data: bytes) -> bytes:
+        table = json.loads(data)
+        for key, value in values.items():
+            table[key] = table[key] | value if isinstance(table[key], dict) and isinstance(value, dict) else value
+        return json.dumps(table).encode()
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("entry", "change", "told"),
+    [
+        (files.HEAD, lambda data: b"{", "JSONDecodeError"),
+        (files.HEAD, lambda data: b"\xff", "UnicodeDecodeError"),
+        (files.HEAD, lambda data: b"[" * 100_000, "RecursionError"),
+        (files.HEAD, lambda data: b"[]", "TypeError"),
+        (files.HEAD, head(format=2), "has format 2; this version of carom reads 1"),
+        (files.HEAD, head(scene={"world": {"gravity": "down"}}), "world.gravity"),
+        (files.HEAD, head(scene={"shapes": []}), "shape_ids must name the 0 shapes of the scene"),
+        (files.HEAD, head(lengths={"times": 10**9}), "times must have 8000000000 bytes"),
+        (files.HEAD, head(lengths={"times": -1}), "times must have -8 bytes"),
+        (files.HEAD, head(lengths={"times": "x"}), "is no recording"),
+        (files.HEAD, head(names={"x": "y"}), "ValueError"),
+        (files.HEAD, head(names={"1": 5}), "names must map int to str"),
+        (files.HEAD, head(statistics={"collisions": 0.5}), "statistics must map str to int"),
+        (files.HEAD, head(name=None), "name must be a string"),
+        ("asleep", lambda data: b"\x02" + data[1:], "a flag must be 0 or 1"),
+        ("radii", lambda data: data[:-8], "radii must have"),
+        ("radii", lambda data: bytes(len(data)), "radii must be positive and finite"),
+    ],
+)
+def test_what_is_wrong_in_a_file_is_named(
+    tmp_path: Path, recording: carom.Recording, entry: str, change: Callable[[bytes], bytes], told: str
+) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    path.write_bytes(changed(path.read_bytes(), entry, change))
+    assert told in refusal(path)
+
+
+def spoiled(values: Any, place: Any, value: Any) -> Any:
+    """A copy of an array with another value somewhere."""
+    copy = np.array(values)
+    copy[place] = value
+    return copy
+
+
+BAD: list[tuple[str, Callable[[Any], Any], str]] = [
+    ("scene", lambda old: None, "scene must be a Scene"),
+    ("times", lambda old: old[:0], "must have shape"),
+    ("times", lambda old: spoiled(old, 3, nan), "times must be finite"),
+    ("times", lambda old: old[::-1], "times must not descend"),
+    ("times", lambda old: old[None], "times must have 1 axes, not 2"),
+    ("ids", lambda old: old[::-1], "ids must ascend"),
+    ("ids", lambda old: old - 1000, "ids must ascend from 0 or more"),
+    ("ids", lambda old: old + 0.5, "ids must be of type i8"),
+    ("radii", lambda old: spoiled(old, 0, nan), "radii must be positive and finite"),
+    ("masses", lambda old: spoiled(old, 0, 0.0), "masses must be positive and finite"),
+    ("positions", lambda old: spoiled(old, (0, 0, 0), inf), "positions must be finite"),
+    ("positions", lambda old: spoiled(old, (0, 0, 0), nan), "positions must be finite for balls that are there"),
+    ("positions", lambda old: old[:, :-1], "positions must have shape"),
+    ("velocities", lambda old: spoiled(old, (0, 0, 0), nan), "velocities must be finite"),
+    ("asleep", lambda old: old.astype(float), "asleep must be of type"),
+    ("shape_ids", lambda old: spoiled(old, 0, old[1]), "shape_ids must differ"),
+    ("colliding", lambda old: old[:, :-1], "colliding must have shape"),
+    ("moving", lambda old: spoiled(old, 0, 10**6), "moving must be among shape_ids"),
+    ("moving", lambda old: spoiled(old, 0, old[1]), "moving must differ"),
+    ("poses", lambda old: spoiled(old, (0, 0, 0), nan), "poses must be finite"),
+    ("hits", lambda old: np.zeros(3), "hits must be rows"),
+    ("hits", lambda old: old[::-1], "hits['time'] must not descend"),
+    ("names", lambda old: 5, "names must be a mapping"),
+    ("about", lambda old: 5, "about must be a string"),
+]
+
+
+@pytest.mark.parametrize(("field", "change", "told"), BAD)
+def test_parts_that_do_not_fit_are_refused_by_name(
+    recording: carom.Recording, field: str, change: Callable[[Any], Any], told: str
+) -> None:
+    with pytest.raises(carom.RecordingError) as caught:
+        replace(recording, **{field: change(getattr(recording, field))})
+    assert told in str(caught.value)
+
+
+def test_a_recording_needs_a_frame(recording: carom.Recording) -> None:
+    none = {
+        name: getattr(recording, name)[:0]
+        for name in ("times", "positions", "velocities", "asleep", "colliding", "poses")
+    }
+    with pytest.raises(carom.RecordingError, match="times must have at least one frame"):
+        replace(recording, **none)
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "told"), [("speed", nan, "hits['speed'] must be finite"), ("kind", 7, "must be a HitKind")]
+)
+def test_hits_that_cannot_be_are_refused(recording: carom.Recording, field: str, value: float, told: str) -> None:
+    hits = recording.hits.copy()
+    hits[field][0] = value
+    with pytest.raises(carom.RecordingError) as caught:
+        replace(recording, hits=hits)
+    assert told in str(caught.value)
+
+
+def test_a_file_that_cannot_be_written_leaves_what_was_there(
+    tmp_path: Path, recording: carom.Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "run.carom"
+    path.write_text("old")
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    with pytest.raises(carom.RecordingError, match=r"run\.carom: cannot be written: No space left on device"):
+        recording.save(path)
+    assert path.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["run.carom"]
+    with pytest.raises(carom.RecordingError, match="cannot be written: No such file"):
+        recording.save(tmp_path / "missing" / "run.carom")
