@@ -151,6 +151,7 @@ def flipper_of_arcs(spin: float) -> Compound:
     return Compound([*rails, *ends], pivot=(0, 0), angular_velocity=spin)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("spin", [3.0, -100.0, 1000.0])
 @pytest.mark.parametrize("elasticity", [1.0, 0.3])
 def test_nothing_gets_into_a_flipper(spin: float, elasticity: float) -> None:

@@ -58,6 +58,7 @@ def test_a_dropped_ball_comes_to_rest_where_it_is_held(place: str, elasticity: f
     assert world.statistics.stalled == 0
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("shape", [Arc((0, 0), 2, pi, 0), Circle((0, 0), 2)], ids=repr)
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9])
 def test_a_ball_swings_in_a_bowl_with_the_same_energy_for_ever(shape: Shape, elasticity: float) -> None:
@@ -80,6 +81,7 @@ def test_a_ball_swings_in_a_bowl_with_the_same_energy_for_ever(shape: Shape, ela
     assert world.statistics.stalled == 0
 
 
+@pytest.mark.compiled
 def test_the_period_of_a_small_swing_is_that_of_a_pendulum() -> None:
     world = world_of(Circle((0, 0), 2))
     ball = world.add(Ball((1.7 * sin(1e-3), -1.7 * cos(1e-3)), 0.3, elasticity=0.5))
@@ -100,6 +102,7 @@ def test_a_ball_circles_without_gravity_at_its_speed(substeps: int) -> None:
     assert ball.position == pytest.approx(place, abs=1e-5)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("first", [1e-4, 0.3])
 def test_a_ball_that_slides_down_a_dome_leaves_it_at_two_thirds_of_its_height(first: float) -> None:
     world = world_of(Circle((0, 0), 2, solid=True))
@@ -167,6 +170,7 @@ def test_a_thousand_tangent_pieces_are_one_way(gravity: tuple[float, float]) -> 
     assert world.statistics.stalled == 0
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("gravity", [(0.0, -G), (0.0, 0.0)])
 def test_a_bowl_of_a_hundred_arcs_is_one_bowl(gravity: tuple[float, float]) -> None:
     angles = [pi + pi * k / 100 for k in range(101)]
@@ -204,6 +208,7 @@ def test_an_elastic_ball_that_was_put_onto_a_floor_stays_there(elasticity: float
     assert world.statistics.full_tests < 100 * 4 * 300
 
 
+@pytest.mark.compiled
 def test_what_lasts_is_in_a_snapshot() -> None:
     world = world_of(Circle((0, 0), 2), Segment((3, 0), (9, 0)))
     world.add(Ball((1.7 * sin(1), -1.7 * cos(1)), 0.3, elasticity=0.5))
