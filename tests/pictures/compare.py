@@ -24,7 +24,7 @@ BLOCK = 4
 #: Levels of 255 by which the mean of a block, and of a word with what is around it, may differ from the kept one.
 MOST_MARKS, MOST_WORDS = 24.0, 8.0
 #: Bytes that a kept picture may have.
-LARGEST = 60_000
+LARGEST = 70_000
 RENEW = "pytest tests/pictures --renew-pictures"
 
 

@@ -169,6 +169,15 @@ def test_words_stand_where_they_are_anchored() -> None:
     assert middles["end"] < 90
 
 
+def test_letters_stand_as_far_apart_as_in_large_pictures() -> None:
+    def width(zoom: float) -> float:
+        made = painter(zoom)
+        made.text((1.0, 5.0), "illegibility", draw.Lettering())
+        return float(np.ptp(np.nonzero(cover(made) > 0.1)[0]) / zoom)
+
+    assert width(1.0) == pytest.approx(width(4.0), abs=1.5)
+
+
 @pytest.mark.parametrize("words", ["", "a\0b", "\ud800", "line\nbreak", "ünïcödé ∂ 漢"])
 def test_any_words_can_be_written(words: str) -> None:
     painter().text((1.0, 1.0), words, draw.Lettering())
