@@ -11,7 +11,7 @@ import typer
 from carom.cli import commands
 from carom.cli.mistakes import Mistake
 from carom.cli.quantities import non_negative, number, positive
-from carom.cli.view import View, layers_from, size_from
+from carom.cli.view import View
 from carom.draw import Layer, ThemeName
 from carom.errors import CaromError, RecordingError, SceneError
 
@@ -34,8 +34,8 @@ Layers = Annotated[
     str | None,
     typer.Option(
         metavar="NAMES",
-        help=f"What a picture shows, separated by commas: all, or some of {', '.join(sorted(Layer))}. "
-        "By default shapes, sensors, balls, hits and tracks.",
+        help="What a picture shows, and a page at first, separated by commas: all, or some of "
+        f"{', '.join(sorted(Layer))}. By default shapes, sensors, balls, hits and tracks.",
     ),
 ]
 Size = Annotated[str | None, typer.Option(metavar="PIXELS", help="Size of a picture: 1280x720, or its longer side.")]
@@ -89,7 +89,7 @@ def run(
 
     Ctrl-C stops the run; what was asked for is still written.
     """
-    view = View(theme, layers_from(layers), size_from(size))
+    view = View.of(theme, layers, size)
     commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], view)
 
 
@@ -112,7 +112,7 @@ def show(
     ] = None,
 ) -> None:
     """Make a picture of a scene as it stands, or of a recorded run."""
-    view = View(theme, layers_from(layers), size_from(size))
+    view = View.of(theme, layers, size)
     commands.show(scene, out, view, None if at is None else number("--at", at))
 
 

@@ -95,7 +95,7 @@ def writers_of_recording(recording: Recording, view: View) -> Writers:
             draw.write_film(shown, path, bar.tell)
 
     def page(path: Path) -> None:
-        path.write_text(replay_page(recording, view.theme), encoding="utf-8", newline="\n")
+        path.write_text(replay_page(recording, view.theme, view.page_layers), encoding="utf-8", newline="\n")
 
     def run(path: Path) -> None:
         path.write_bytes(recording_bytes(recording))

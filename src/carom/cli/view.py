@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from carom.cli.mistakes import Mistake
 from carom.draw import DEFAULT_LAYERS, Layer, ThemeName
+from carom.draw.page_run import FIRST_LAYERS
 
 if TYPE_CHECKING:
+    from typing import Self
+
     from carom.draw.frame import Size
 
 #: Pixels: the sides that a picture may have.
@@ -19,17 +22,25 @@ ALL = "all"
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """The colours, the layers and the size of pictures."""
+    """The colours, the layers and the size of pictures, and the layers that a page shows at first."""
 
     theme: ThemeName = ThemeName.AUTO
     layers: frozenset[Layer] = DEFAULT_LAYERS
+    page_layers: frozenset[Layer] = FIRST_LAYERS
     size: Size = None
 
+    @classmethod
+    def of(cls, theme: ThemeName, layers: str | None, size: str | None) -> Self:
+        """What the options say; raises `Mistake`."""
+        view = cls(theme, size=None if size is None else size_from(size))
+        if layers is None:
+            return view
+        chosen = layers_from(layers)
+        return replace(view, layers=chosen, page_layers=chosen)
 
-def layers_from(text: str | None) -> frozenset[Layer]:
+
+def layers_from(text: str) -> frozenset[Layer]:
     """The layers that `text` names, separated by commas, or `all`; raises `Mistake`."""
-    if text is None:
-        return DEFAULT_LAYERS
     if text == ALL:
         return frozenset(Layer)
     known = {layer.value: layer for layer in Layer}
@@ -39,13 +50,13 @@ def layers_from(text: str | None) -> frozenset[Layer]:
             near = get_close_matches(name, known, n=1)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}, and {ALL}"
             raise Mistake(f"--layers {name}: no such layer; {hint}")
+    if not names:
+        raise Mistake(f"--layers {text}: names no layer; there are {', '.join(known)}, and {ALL}")
     return frozenset(known[name] for name in names)
 
 
-def size_from(text: str | None) -> Size:
+def size_from(text: str) -> Size:
     """The size that `text` writes: `1280x720`, or the longer side alone; raises `Mistake`."""
-    if text is None:
-        return None
     sides = text.lower().split("x")
     if len(sides) > 2 or not all(side.isascii() and side.isdigit() for side in sides):
         raise Mistake(f"--size {text}: must be a width and a height like 1280x720, or a longer side like 800")

@@ -62,6 +62,13 @@ def test_a_run_makes_every_kind_of_picture(here: Path, capsys: pytest.CaptureFix
     assert sorted(path.name for path in here.iterdir()) == sorted([*names, "drop.toml"])
 
 
+def test_a_page_begins_with_the_layers_that_were_asked_for(here: Path) -> None:
+    assert status_of("run", "drop.toml", "--seconds", "0.1", "--layers", "cells", *outs("drop.html")) == 0
+    page = (here / "drop.html").read_text(encoding="utf-8")
+    assert '{"name":"cells","on":true}' in page
+    assert page.count('"on":true') == 1
+
+
 def test_a_recording_is_drawn_later(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert status_of("run", "drop.toml", "--seconds", "0.5", *outs("drop.carom")) == 0
     recording = carom.Recording.load("drop.carom")
