@@ -9,6 +9,7 @@ from subprocess import PIPE
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from carom.checks import refuse
 from carom.errors import CaromError, MissingExtra
 from carom.extras import needed
 
@@ -65,9 +66,12 @@ def write_film(film: Film, path: Path, tell: Callable[[int, int], Any] | None = 
 
     Raises:
         EncodingError: The encoder failed, of a full disk for example.
+        InvalidArgument: The file has another ending.
         MissingExtra: There is no encoder.
     """
     ending = path.suffix.lower()
+    if ending not in RATES:
+        raise refuse("path", f"must end in {' or '.join(RATES)}", str(path))
     frames = frames_of(film, RATES[ending])
 
     def pictures() -> Iterable[bytes]:

@@ -127,6 +127,11 @@ def test_an_encoder_that_fails_says_why(tmp_path: Path, recording: carom.Recordi
             write_film(film, tmp_path / "missing" / name)
 
 
+def test_a_file_with_another_ending_is_refused(tmp_path: Path, recording: carom.Recording) -> None:
+    with pytest.raises(carom.InvalidArgument, match=r"path must end in \.gif or \.mp4, not .*run\.avi"):
+        write_film(draw.Film(recording, size=97), tmp_path / "run.avi")
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 @pytest.mark.parametrize("name", ["run.gif", "run.mp4"])
 def test_a_full_disk_is_named(tmp_path: Path, recording: carom.Recording, name: str) -> None:
