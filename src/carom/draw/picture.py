@@ -243,9 +243,14 @@ def composed(
 ) -> Picture:
     """The picture that shows a `box` of the world; its panel gets a legend, without the layers that are `empty`."""
     drawn, balls = (*still, *moment.moving), moment.balls
+    bare = len(drawn) == 0
+    unhit = bare if not of_run else Layer.HITS in empty
     absent = {
-        Layer.LIGHTS: not of_run,
-        Layer.RETICLES: not of_run,
+        Layer.LIGHTS: Layer.HITS in empty,
+        Layer.RETICLES: Layer.HITS in empty,
+        Layer.NORMALS: unhit,
+        Layer.TANGENTS: unhit,
+        Layer.BOXES: bare and len(balls.ids) == 0,
         Layer.VELOCITIES: len(balls.ids) == 0,
         Layer.SECTORS: not any(isinstance(one.shape, Arc) for one in drawn),
         Layer.CELLS: len(cells) == 0,

@@ -42,10 +42,10 @@ def name_of(shape: Shape) -> str | None:
 
 
 def names_in(world: World) -> dict[int, str]:
-    """The names of the shapes and balls that have one, by id."""
+    """The names of the shapes and balls that have one, by id; an empty one is none."""
     named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
     named += [(ball.id, ball.name) for ball in world.balls]
-    return {member: name for member, name in named if member is not None and name is not None}
+    return {member: name for member, name in named if member is not None and name}
 
 
 def label_of(shape: Shape) -> str:

@@ -11,7 +11,6 @@ from carom import draw
 from carom.draw import Layer
 from carom.draw.cells import cells_of
 from carom.draw.frame import Frame
-from carom.draw.layers import layers_of
 from carom.draw.moment import LATEST, MOST_LATEST, strong
 from carom.draw.names import overlap, placed
 from carom.shapes.aabb import Aabb
@@ -51,12 +50,6 @@ def fallen(seconds: float = 0.5, **options: Any) -> carom.Recording:
     world.add(carom.Segment((-3, 0), (3, 0), name="floor", **options))
     world.add(carom.Ball((1, 1.5), 0.5, name="ball"))
     return carom.Recording.of(world, seconds)
-
-
-def test_layers_have_names() -> None:
-    assert layers_of(["hits", "cells"]) == {Layer.HITS, Layer.CELLS}
-    with pytest.raises(carom.InvalidArgument, match=r"layers must be among cells, boxes, .* not 'hit'"):
-        layers_of(["hit"])
 
 
 @pytest.mark.parametrize("layer", Layer)
@@ -220,6 +213,21 @@ def test_without_a_run_tangents_and_normals_are_those_of_shapes() -> None:
     assert marks["reticles"] == marks["lights"] == []
 
 
+def legend_of(picture: draw.Picture) -> list[str]:
+    """The words of a picture's legend."""
+    return [entry for entry, _ in picture.panel.entries]
+
+
+def test_the_legend_names_only_what_there_is() -> None:
+    untouched = carom.World()
+    untouched.add(carom.Ball((0, 0), 1))
+    run = carom.Recording.of(untouched, 0.1)
+    assert legend_of(draw.picture_at(run, layers=Layer)) == ["balls", "track, fading with age", "velocity", "box"]
+    assert legend_of(draw.picture_of(carom.World(), "empty", layers=Layer)) == []
+    marks = {"hit, sized by its impulse", "was just hit", "turns by speed of impact", "normal", "tangent"}
+    assert marks <= set(legend_of(draw.picture_at(fallen(), layers=Layer)))
+
+
 def test_what_was_hit_glows_for_a_moment() -> None:
     assert len(at_end(fallen(0.4), Layer.LIGHTS)["lights"]) == 0
     assert len(at_end(fallen(0.5), Layer.LIGHTS)["lights"]) == 3
@@ -252,6 +260,7 @@ def test_names_stand_once_beside_what_they_name() -> None:
     world.add(carom.Point((5, 3)))
     world.add(carom.Ball((5, 1), 0.2, name="<ball>"))
     world.add(carom.Ball((50, 1), 0.2, name="far"))
+    world.add(carom.Ball((5, 2), 0.2, name=""))
     marks = of_world(world, Layer.NAMES)
     assert words(marks["names"]) == ["step (3)", "ring", "bow"]
     assert words(marks["names-moving"]) == ["<ball>"]
