@@ -91,13 +91,13 @@ def tangent_second(sheet: Sheet) -> None:
 
 @figure(
     "tangents-shrunk",
-    (-2.0, -2.1, 9.4, 2.1),
-    60,
+    (-2.0, -2.1, 10.1, 2.1),
+    56,
     "Two circles and their common tangents; both radii made smaller, the tangents keep their directions.",
 )
 def tangents_shrunk(sheet: Sheet) -> None:
     """Shrinking both circles by as much keeps the tangents parallel to what they were."""
-    for shift, less in ((0.0, 0.0), (5.2, 0.7)):
+    for shift, less in ((0.0, 0.0), (5.9, 0.7)):
         one = carom.Circle((shift, 0.0), 1.7 - less)
         sheet.shape(one)
         far = (shift + 2.9, 0.4)
