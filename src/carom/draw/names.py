@@ -28,6 +28,8 @@ LABEL = Lettering("text", 11.0, anchor="middle")
 GROUND = Style(fill="stage", opacity=0.85)
 #: Pixels around the letters that belong to a label, and between it and what it names.
 AROUND, GAP = 2.0, 5.0
+#: Places that a name may stand at, at most.
+MOST_PLACES = 8
 #: What a character is wide, in heights of a letter, at most times: a label is to be wider than its letters.
 WIDE = 1.08 * CHARACTER_WIDTH
 
@@ -61,15 +63,21 @@ def label_mark(painter: Painter, frame: Frame, words: str, box: Box) -> None:
 def shape_wishes(picture: Picture, shapes: Iterable[Drawn]) -> Iterator[tuple[str, list[tuple[Vector, float]]]]:
     """Each name among some shapes, with the places (and the pixels to keep off them) that it may stand at.
 
-    Shapes of one name share a label, which says how many they are.
+    Shapes of one name share a label.
     """
     groups: dict[str, list[Shape]] = {}
     for drawn in shapes:
         if drawn.id in picture.names:
             groups.setdefault(picture.names[drawn.id], []).append(drawn.shape)
     for name, members in groups.items():
-        words = name if len(members) == 1 else f"{name} ({len(members)})"
-        yield words, [(picture.frame.pixel(*anchor(shape)), 3.0) for shape in members[:8]]
+        places = [(picture.frame.pixel(*anchor(shape)), 3.0) for shape in members[:MOST_PLACES]]
+        yield shared_label(name, members), places
+
+
+def shared_label(name: str, members: Iterable[Shape]) -> str:
+    """The words for all shapes of one name: it, and how many there are, the parts of a compound being one."""
+    count = len({id(shape if shape.compound is None else shape.compound) for shape in members})
+    return name if count == 1 else f"{name} \N{MULTIPLICATION SIGN} {count}"
 
 
 def anchor(shape: Shape) -> Vector:

@@ -12,6 +12,7 @@ from carom.draw.frame import Frame
 from carom.draw.impacts import FIRST_ANGLE, GLOW_TIME, HALF_TANGENT, NORMAL_LENGTH, TURN
 from carom.draw.layers import Layer
 from carom.draw.legend import (
+    SAMPLE_BALLS,
     arrow_sample,
     ball_sample,
     box_sample,
@@ -43,7 +44,7 @@ from carom.draw.marks import (
     track_style,
 )
 from carom.draw.moment import LATEST
-from carom.draw.names import AROUND, GAP, GROUND, LABEL, anchor
+from carom.draw.names import AROUND, GAP, GROUND, LABEL, MOST_PLACES, anchor, shared_label
 from carom.draw.packing import Plain, packed
 from carom.draw.page_painter import PagePainter, record_into
 from carom.draw.panel import GLYPH_WIDTH
@@ -65,10 +66,6 @@ if TYPE_CHECKING:
 
 #: Pixels: the height of a sample of the legend.
 SAMPLE_HEIGHT = 24.0
-#: How many balls of different inks the sample of balls shows.
-SAMPLE_BALLS = 3
-#: Places that a name may stand at, at most.
-MOST_PLACES = 8
 #: Pixels by which the arrows differ that stand for velocities.
 ARROW_STEP = 2.0
 
@@ -212,7 +209,7 @@ def names_of(cast: Cast) -> list[Plain]:
             groups.setdefault((cast.recording.names[key], cast.movers[number] >= 0), []).append(number)
     return [
         {
-            "words": name if moves or len(members) == 1 else f"{name} \N{MULTIPLICATION SIGN} {len(members)}",
+            "words": shared_label(name, [cast.shapes[member] for member in members]),
             "mover": cast.movers[members[0]],
             "places": [list(anchor(cast.shapes[member])) for member in members[: 1 if moves else MOST_PLACES]],
         }

@@ -258,11 +258,14 @@ def test_names_stand_once_beside_what_they_name() -> None:
     world.add(carom.Circle((3, 3), 1, name="ring"))
     world.add(carom.Arc((0, 3), 1, 0.5, 2.5, name="bow"))
     world.add(carom.Point((5, 3)))
+    for x in (0, 3):
+        blade = carom.Segment((x, 1.5), (x + 1, 1.5))
+        world.add(carom.Compound([blade, *carom.guard_points([blade])], pivot=(x, 1.5), name="oar"))
     world.add(carom.Ball((5, 1), 0.2, name="<ball>"))
     world.add(carom.Ball((50, 1), 0.2, name="far"))
     world.add(carom.Ball((5, 2), 0.2, name=""))
     marks = of_world(world, Layer.NAMES)
-    assert words(marks["names"]) == ["step (3)", "ring", "bow"]
+    assert words(marks["names"]) == ["step \N{MULTIPLICATION SIGN} 3", "ring", "bow", "oar \N{MULTIPLICATION SIGN} 2"]
     assert words(marks["names-moving"]) == ["<ball>"]
 
 
