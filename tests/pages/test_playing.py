@@ -208,6 +208,18 @@ def test_the_next_and_the_last_hit_are_a_key_away(opened: Opened) -> None:
     assert replay.time == pytest.approx(times[0], abs=1e-8)
 
 
+def test_every_tab_is_reached_by_keys_and_leaves_the_space_bar_free(opened: Opened) -> None:
+    replay = opened(furnished_run())
+    replay.page.focus("#tab-hits")
+    for name in ("statistics", "layers"):
+        replay.page.keyboard.press("Tab")
+        replay.page.keyboard.press(" ")
+        assert replay.page.is_visible(f"#{name}")
+        assert not replay("replay.player.playing")
+    replay.page.keyboard.press(" ")
+    assert replay("replay.player.playing")
+
+
 def test_the_list_can_be_filtered_by_name(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()

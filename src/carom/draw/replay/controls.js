@@ -76,7 +76,7 @@ function listenToKeys(actions) {
     const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     const target = event.target;
     const writes = target.matches("input[type=search], select");
-    const presses = event.key === " " && target.matches("button, input[type=checkbox]");
+    const presses = event.key === " " && target.matches("button:not([aria-selected=true]), input[type=checkbox]");
     if (!action || writes || presses || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     action(event);
@@ -88,7 +88,6 @@ function chooseTab(name) {
   for (const tab of document.querySelectorAll("[role=tab]")) {
     const chosen = tab.id === `tab-${name}`;
     tab.setAttribute("aria-selected", chosen);
-    tab.tabIndex = chosen ? 0 : -1;
     element(tab.getAttribute("aria-controls")).hidden = !chosen;
   }
 }
