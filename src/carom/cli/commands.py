@@ -93,10 +93,13 @@ def show(scene: str, out: Path | None, view: View, at: float | None) -> None:
     path = source.picture if out is None else out
     recording = source.recording
     outputs.check_outputs([path], files.OF_SCENE if recording is None else files.OF_RECORDING, source.path)
-    files.check_extras({path.suffix.lower()})
+    ending = path.suffix.lower()
+    if at is not None and recording is None:
+        raise Mistake(f"--at {at:g}: is for recordings; {source.name} is a scene")
+    if at is not None and ending not in files.STILLS:
+        raise Mistake(f"--at {at:g}: is for pictures; {path} shows the whole run")
+    files.check_extras({ending})
     if recording is None:
-        if at is not None:
-            raise Mistake(f"--at {at:g}: is for recordings; {source.name} is a scene")
         world = source.scene().build()
         files.write_all([path], files.writers_of_picture(lambda: still(source, world, view), view))
         return

@@ -83,6 +83,8 @@ def test_a_recording_is_drawn_later(here: Path, capsys: pytest.CaptureFixture[st
     capsys.readouterr()
     assert status_of("check", "drop.carom") == 0
     assert capsys.readouterr().out == "drop: good: 31 frames, 1 ball, 1 hit\n"
+    assert status_of("show", "drop.carom", "--at", "0.2", *outs("later.html")) == 2
+    assert capsys.readouterr().err == "carom: --at 0.2: is for pictures; later.html shows the whole run\n"
     assert status_of("run", "drop.carom") == 2
     assert "carom show makes pictures of it" in capsys.readouterr().err
 
