@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.record.members import label_of, parts
+from carom.record.members import BALLS, hits_by_label, label_of, parts
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from carom.record import Recording
     from carom.world.world import World
-
-BALLS = "ball against ball"
 
 
 @dataclass(slots=True)
@@ -70,6 +68,5 @@ class Tally:
 
 def shares_of(recording: Recording, until: float) -> list[tuple[str, int]]:
     """The bounces of a recorded run, until some time of it, by what was hit, the most frequent first."""
-    tally = Tally({key: recording.label_of(key) for key in recording.shape_ids.tolist()})
-    tally.add(np.compress(recording.hits["time"] <= until, recording.hits))
-    return [(count.label, count.bounces) for count in tally.counts() if count.bounces]
+    bounces = recording.hits["kind"] == HitKind.BOUNCE
+    return hits_by_label(recording, np.compress(bounces & (recording.hits["time"] <= until), recording.hits))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from itertools import cycle
 from typing import TYPE_CHECKING
 
@@ -27,6 +26,7 @@ from carom.draw.page_painter import PagePainter, plain_style, record_into
 from carom.draw.picture import box_around, weight_for
 from carom.draw.theme import BALL_INKS, DARK, LIGHT, PRINT, ThemeName
 from carom.draw.trace import followed
+from carom.record.members import hits_by_label
 from carom.shapes.aabb import Aabb
 from carom.world.hits import HitKind
 
@@ -56,8 +56,7 @@ SWITCHES = (
 FIRST_LAYERS = DEFAULT_LAYERS | {Layer.LIGHTS}
 #: Levels between no energy and the most.
 ENERGIES = 2**14
-#: What balls are called together in the counts of what was hit, and how many of the counts are listed.
-OTHER_BALLS = "other balls"
+#: How many of the counts of what was hit are listed.
 MOST_SHARES = 30
 
 
@@ -161,12 +160,7 @@ def shares(recording: Recording) -> list[tuple[str, int]]:
 
     After the first `MOST_SHARES` comes what is left, as one count without a label.
     """
-    members, counts = np.unique(recording.hits["shape"], return_counts=True)
-    balls = set(recording.ids.tolist())
-    found: Counter[str] = Counter()
-    for member, count in zip(members.tolist(), counts.tolist(), strict=True):
-        found[OTHER_BALLS if member in balls else recording.label_of(member)] += count
-    listed = sorted(found.items(), key=lambda share: (-share[1], share[0]))
+    listed = hits_by_label(recording, recording.hits)
     rest = sum(count for _, count in listed[MOST_SHARES:])
     return listed[:MOST_SHARES] + ([("", rest)] if rest else [])
 

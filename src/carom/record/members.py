@@ -1,8 +1,11 @@
-"""What the shapes and balls of a world are called, and the single shapes that compounds stand for."""
+"""What the shapes and balls of a world are called, how often they were hit, and the shapes that compounds stand for."""
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from carom.scene.guarding import guarded
 from carom.shapes.compound import Compound
@@ -11,9 +14,14 @@ from carom.shapes.pose import pose
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from carom.record.recording import Recording
+    from carom.rows import Rows
     from carom.scene.scene import Scene
     from carom.shapes.shape import Shape
     from carom.world.world import World
+
+#: What balls that were hit are called together.
+BALLS = "ball against ball"
 
 
 def parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
@@ -52,3 +60,11 @@ def label_of(shape: Shape) -> str:
     """What to call `shape` in a list: its name, or what and where it is."""
     x, y = shape.position
     return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"
+
+
+def hits_by_label(recording: Recording, hits: Rows) -> list[tuple[str, int]]:
+    """How many of some `hits` of a recording were at what, by label, the most first; those of balls count together."""
+    found: Counter[str] = Counter()
+    for member, count in zip(*np.unique(hits["shape"], return_counts=True), strict=True):
+        found[BALLS if int(member) in recording.ball_ids else recording.label_of(int(member))] += int(count)
+    return sorted(found.items(), key=lambda share: (-share[1], share[0]))

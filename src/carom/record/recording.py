@@ -145,8 +145,12 @@ class Recording(Played):
         return energies
 
     def label_of(self, member_id: int) -> str:
-        """What to call the shape or ball with an id: its name, what and where a shape was at frame 0, or `ball 7`."""
-        return self.names.get(member_id) or self._labels.get(member_id) or f"ball {member_id}"
+        """What to call the shape or ball with an id: its name, what and where a shape was at frame 0, or `ball 7`.
+
+        A shape that was added later is `shape 9`.
+        """
+        kind = "ball" if member_id in self.ball_ids else "shape"
+        return self.names.get(member_id) or self._labels.get(member_id) or f"{kind} {member_id}"
 
     def shapes_at(self, frame: int) -> list[Shape]:
         """New shapes, of no world, as they stood at a frame, in the order of `shape_ids`; those gone are switched off.
@@ -172,6 +176,11 @@ class Recording(Played):
         order = np.argsort(self.shape_ids)
         places: NDArray[np.intp] = order[np.searchsorted(self.shape_ids[order], self.moving)]
         return places
+
+    @cached_property
+    def ball_ids(self) -> frozenset[int]:
+        """The ids of all balls, of those too that came and went between two frames."""
+        return frozenset(self.ids.tolist()).union(self.hits["ball"].tolist())
 
     @cached_property
     def _labels(self) -> dict[int, str]:

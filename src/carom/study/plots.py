@@ -6,7 +6,6 @@ Each takes a `Recording`, draws into `axes`, or into a new figure where there ar
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from carom.checks import non_negative, refuse, whole
 from carom.extras import needed
+from carom.record.members import hits_by_label
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.segment import Segment
@@ -65,12 +65,7 @@ def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int =
     rows = whole("rows", rows, 2)
     axes = axes or _new_axes()
     bounces = recording.hits[recording.hits["kind"] == HitKind.BOUNCE]
-    ids, counts = np.unique(bounces["shape"], return_counts=True)
-    balls = set(recording.ids.tolist())
-    tally: Counter[str] = Counter()
-    for shape, count in zip(ids.tolist(), counts.tolist(), strict=True):
-        tally["another ball" if shape in balls else recording.label_of(shape)] += count
-    bars = tally.most_common()
+    bars = hits_by_label(recording, bounces)
     if len(bars) > rows:
         rest = bars[rows - 1 :]
         bars = [*bars[: rows - 1], (f"{len(rest)} others", sum(count for _, count in rest))]

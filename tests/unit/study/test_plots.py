@@ -100,7 +100,7 @@ def test_balls_count_together_and_sensors_do_not(gas: carom.Recording) -> None:
     for x in (0.0, 4.0):
         world.add(carom.Ball((x, 0), radius=0.5, velocity=(4 - 2 * x, 0)))
     axes = plots.hits_by_shape(carom.Recording.of(world, seconds=2))
-    assert [text.get_text() for text in axes.get_yticklabels()] == ["another ball"]
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["ball against ball"]
     assert [bar.get_width() for bar in axes.patches] == [1]
 
 
