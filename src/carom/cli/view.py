@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from carom.cli.mistakes import Mistake
 from carom.draw import DEFAULT_LAYERS, Layer, ThemeName
+from carom.draw.frame import LEAST_SIDE, MOST_SIDE
 from carom.draw.page_run import FIRST_LAYERS
 
 if TYPE_CHECKING:
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
 
     from carom.draw.frame import Size
 
-#: Pixels: the sides that a picture may have.
-LEAST_SIDE, MOST_SIDE = 64, 8192
 ALL = "all"
 
 

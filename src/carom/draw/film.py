@@ -56,8 +56,9 @@ class Film:
         """The surface of pygame's that shows a frame; it is the same each time, so the next frame replaces this one."""
         surface = self._painter.surface
         surface.blit(self._ground, (0, 0))
+        moment = self._footage.moment(frame, SPAN, FILM_HITS)
         panel = replace(self._picture.panel, facts=self._footage.facts(frame))
-        picture = replace(self._picture, moment=self._footage.moment(frame, SPAN, FILM_HITS), panel=panel)
+        picture = replace(self._picture, moment=moment, panel=panel)
         picture.draw_moving(self._painter)
         return surface
 

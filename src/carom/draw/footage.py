@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from carom.draw.cells import cells_of
-from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.legend import remarks, seconds
 from carom.draw.looks import LOOKS, OFF, SENSOR, ends_of, material_of
 from carom.draw.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of
@@ -92,8 +92,8 @@ class Footage:
         Valid until another one is asked for: shapes that move are the same objects each time.
         """
         recording = self.recording
-        time = float(recording.times[frame])
         recording.pose(self._shapes, frame)
+        time = float(recording.times[frame])
         there = ~np.isnan(recording.positions[frame, :, 0])
         balls = Balls(
             recording.positions[frame, there],
@@ -148,7 +148,7 @@ class Footage:
             self.still,
             moment,
             self.box,
-            layers=frozenset(layers),
+            layers=layers_of(layers),
             size=size,
             inks=self.inks,
             names=recording.names,
@@ -177,5 +177,9 @@ def picture_at(
     layers: Collection[Layer] = DEFAULT_LAYERS,
     size: Size = None,
 ) -> Picture:
-    """The picture of a frame of a recording, the last one by default, with the tracks and hits before it."""
+    """The picture of a frame of a recording, the last one by default, with the tracks and hits before it.
+
+    Raises:
+        InvalidArgument: There is no such frame, layer or size.
+    """
     return Footage(recording).picture(frame, LONG, shares=shares, layers=layers, size=size)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from math import ceil
 from typing import TYPE_CHECKING, TypeAlias
 
+from carom.checks import whole
 from carom.shapes.aabb import Aabb
 
 if TYPE_CHECKING:
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 #: How large a picture is to be, in pixels: its width and height, its longer side, or None for what suits it.
 Size: TypeAlias = tuple[int, int] | int | None
 
+#: Pixels: the sides that a picture may have.
+LEAST_SIDE, MOST_SIDE = 64, 8192
 #: Pixels: the longer side of the stage.
 STAGE_SIZE = 920.0
 #: Pixels between the picture's edge, the stage and the panel.
@@ -73,6 +76,8 @@ class Frame:
         """The frame that shows `box` in a picture of a size, beside a panel of some height if there is room for it."""
         if size is None:
             return cls.around(box, panel_height)
+        for side in size if isinstance(size, tuple) else (size,):
+            whole("size", side, LEAST_SIDE, MOST_SIDE)
         if isinstance(size, tuple):
             width, height = size
             zoom = max(1.0, min(width / FULL_WIDTH, height / max(FULL_HEIGHT, panel_height + 2.0 * MARGIN)))

@@ -3,6 +3,12 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import TYPE_CHECKING
+
+from carom.checks import refuse
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
 class Layer(StrEnum):
@@ -40,3 +46,12 @@ class Layer(StrEnum):
 
 #: What a picture shows unless it is told otherwise.
 DEFAULT_LAYERS = frozenset({Layer.SHAPES, Layer.SENSORS, Layer.BALLS, Layer.TRACKS, Layer.HITS})
+
+
+def layers_of(names: Iterable[str]) -> frozenset[Layer]:
+    """The layers with some names; raises `InvalidArgument` for a name that none has."""
+    given, known = list(names), {layer.value: layer for layer in Layer}
+    for name in given:
+        if name not in known:
+            raise refuse("layers", f"must be among {', '.join(known)}", name)
+    return frozenset(known[name] for name in given)

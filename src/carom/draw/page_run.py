@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from carom.draw.frame import STAGE_SIZE, Frame, longer_side, widened
-from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.moment import Balls, Measures, bounces_of
 from carom.draw.packing import Plain, deflated, measured
 from carom.draw.page_columns import Units, ball_columns, hit_columns, pose_columns
@@ -62,6 +62,7 @@ MOST_SHARES = 30
 
 def page_run(recording: Recording, theme: ThemeName, layers: Collection[Layer]) -> Plain:
     """All that the page is given, as JSON can hold it."""
+    first = layers_of(layers)
     cast = Cast.of(recording)
     balls = balls_on_stage(recording)
     frame = Frame.around(stage_box(cast, balls), 0.0)
@@ -75,7 +76,7 @@ def page_run(recording: Recording, theme: ThemeName, layers: Collection[Layer]) 
         "about": recording.about,
         "theme": theme.value,
         "themes": {named.name: dict(named.inks) for named in (LIGHT, DARK, PRINT)},
-        "layers": [{"name": layer, "on": layer in layers} for layer in SWITCHES],
+        "layers": [{"name": layer, "on": layer in first} for layer in SWITCHES],
         "size": STAGE_SIZE,
         "marks": marks(weight),
         "names": names_of(cast),

@@ -11,7 +11,7 @@ import numpy as np
 from carom.draw.cells import cells_of, draw_cells
 from carom.draw.frame import MARGIN, Frame
 from carom.draw.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
-from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.legend import facts, legend, remarks
 from carom.draw.looks import LOOKS, Look, ends_of, look_of
 from carom.draw.moment import STRONG, Balls, Drawn, Measures, Moment
@@ -206,7 +206,7 @@ def picture_of(
         still,
         moment,
         box_around([(one.shape, one.look) for one in still], balls),
-        layers=frozenset(layers),
+        layers=layers_of(layers),
         size=size,
         inks=dict(zip(singled_out(balls, trace), cycle(BALL_INKS), strict=False)),
         names=names_in(world),

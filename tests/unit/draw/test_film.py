@@ -44,6 +44,13 @@ def test_a_frame_is_the_same_whatever_came_before(recording: carom.Recording) ->
     assert film.pixels == (700, 560)
 
 
+@pytest.mark.parametrize("frame", [61, -62, 1.5, "1"])
+def test_a_frame_that_is_not_there_is_refused(recording: carom.Recording, frame: Any) -> None:
+    for show in (draw.Film(recording, size=97).frame, lambda frame: draw.picture_at(recording, frame)):
+        with pytest.raises(carom.InvalidArgument, match="frame"):
+            show(frame)
+
+
 def test_a_film_shows_what_a_picture_shows(recording: carom.Recording) -> None:
     layers = [draw.Layer.SHAPES, draw.Layer.BALLS]
     film = draw.Film(recording, layers=layers, size=320)

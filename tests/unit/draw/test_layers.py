@@ -52,6 +52,24 @@ def fallen(seconds: float = 0.5, **options: Any) -> carom.Recording:
     return carom.Recording.of(world, seconds)
 
 
+@pytest.mark.parametrize("layers", [["hit"], "hits", [Layer.HITS, 3]])
+def test_other_layers_are_refused(layers: Any) -> None:
+    run, told = fallen(), r"layers must be among cells, boxes, .* not "
+    for show in (draw.picture_at, draw.replay_page):
+        with pytest.raises(carom.InvalidArgument, match=told):
+            show(run, layers=layers)
+    with pytest.raises(carom.InvalidArgument, match=told):
+        draw.picture_of(carom.World(), "name", layers=layers)
+
+
+@pytest.mark.parametrize("size", [0, -5, 63, 9000, 800.5, "800", (10, 10), (800, 9000)])
+def test_other_sizes_are_refused(size: Any) -> None:
+    with pytest.raises(carom.InvalidArgument, match="size"):
+        draw.picture_at(fallen(), size=size)
+    with pytest.raises(carom.InvalidArgument, match="size"):
+        draw.picture_of(carom.World(), "name", size=size)
+
+
 @pytest.mark.parametrize("layer", Layer)
 def test_only_what_is_asked_for_is_drawn(layer: Layer) -> None:
     world = crowded()
