@@ -162,6 +162,10 @@ ELASTIC_LIFT = 1e-12
 #: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
 LIFT = 1e-3
 
+#: Fraction of its radius that a ball in flight is moved at most when it is parted from another; the rest follows when
+#: they meet again. More, and a heap that is pressed together may throw balls far.
+PUSH_MOST = 0.25
+
 #: Cosine of the angle between the normals of two shapes: a ball that one of them holds is thrown off by the other, with
 #: whatever speed, if the angle is smaller. At a larger one, contacts that end and begin in turn do so ever more slowly.
 THROW_OFF = 0.5

@@ -19,7 +19,7 @@ from carom.world.discrete import (
     rest_speed,
     substep_length,
 )
-from carom.world.encounter import count_impact, impact_of_balls, impact_with_shape
+from carom.world.encounter import count_impact, impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.flight import fly_to, forget_partner, new_flights, place_at
 from carom.world.foresee import foresee, foresee_all
 from carom.world.layout import (
@@ -157,8 +157,10 @@ def begin_span(
     set_shapes_going(state, balls, shapes, order)
     if begin_flights(state, balls, flights):
         # Sorting the balls for the pairs and filing them use the same room, one after the other.
+        tests = int(state["box_tests"])
         found = sweep_pairs(state, balls, flights, slots, starts, pairs)
         if not found or not open_bins(state, balls, flights, starts):
+            state["box_tests"] = tests
             return NEEDS_PAIRS
     enter_stage(state, FORESEE)
     return DONE
@@ -268,7 +270,11 @@ def deal_with(
         arrive(
             state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, partner, time
         )  # fmt: skip
-        impact_of_balls(state, balls, flights, min(i, partner), max(i, partner), hits, relations, rest)
+        x, y = float(ball["x"]), float(ball["y"])
+        other_x, other_y = float(balls[partner]["x"]), float(balls[partner]["y"])
+        if impact_of_balls(state, balls, flights, min(i, partner), max(i, partner), hits, relations, rest):
+            keep_push_out(state, ball, shapes, index, cells, members, relations, x, y)
+            keep_push_out(state, balls[partner], shapes, index, cells, members, relations, other_x, other_y)
         count_impact(state, flight)
         count_impact(state, flights[partner])
         change_path(state, balls[partner], flights[partner], shapes, relations, duration)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import floor
 
-from carom.constants import JOINT_TURN, PATIENCE_PART, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
+from carom.constants import JOINT_TURN, PATIENCE_PART, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
 from carom.geometry.response import exchanged, reflected, reflected_total
 from carom.geometry.vector import dot, larger, length
 from carom.rows import GATE, Row, Rows
@@ -12,11 +12,11 @@ from carom.shapes.contact import gate_opens
 from carom.world.arrival import time_of
 from carom.world.flight import fall_freely
 from carom.world.layout import ASLEEP, ENTER, FLYING, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, STALLED
-from carom.world.motion import wake
+from carom.world.motion import rouse, wake
 from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
-from carom.world.relations import add_relation, drop_all, has_kind
-from carom.world.shape_index import FIXED, locate
+from carom.world.relations import add_relation, drop_all, find_relation, has_kind
+from carom.world.shape_index import FIXED, cell_span, locate
 from carom.world.support import quiet_speed, slow_rebound, throw_off
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
 
@@ -196,7 +196,11 @@ def impact_of_balls(
     if u2 - u1 >= 0.0:
         be_patient(state, flights, i, j, now)
         return pushed
-    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet_speed(state))
+    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet_speed(state, flights[i], flights[j]))
+    if resting:
+        # Slow as they are, they move; at the substep's end they fall asleep again if they are slow still.
+        stir(state, first, flights[i])
+        stir(state, second, flights[j])
     gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
     if resting:
         be_patient(state, flights, i, j, now)
@@ -243,6 +247,46 @@ def part_balls(first: Row, one: Row, second: Row, other: Row, nx: float, ny: flo
         second["y"] += setback * ny
 
 
+def keep_push_out(
+    state: Row,
+    ball: Row,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    relations: Rows,
+    from_x: float,
+    from_y: float,
+) -> None:
+    """Take from a push, which moved a ball from (from_x, from_y), what is more than PUSH_MOST or goes into a shape."""
+    radius = float(ball["radius"])
+    dx, dy = float(ball["x"]) - from_x, float(ball["y"]) - from_y
+    way = length(dx, dy)
+    if way == 0.0:
+        return
+    if way > PUSH_MOST * radius:
+        dx, dy = dx * (PUSH_MOST * radius / way), dy * (PUSH_MOST * radius / way)
+    for _ in range(2):
+        begin, end = cell_span(cells, locate(state, index[FIXED], cells, from_x + dx, from_y + dy))
+        for k in range(begin, end):
+            row = int(members[k])
+            shape = shapes[row]
+            if shape["sensor"] != 0 or ball["sensor"] != 0 or not may_collide(ball, shape):
+                continue
+            if find_relation(relations, ball, PASSING, row):
+                continue
+            found = gap_to_shape(shape, 0.0, from_x, from_y, radius, dx, dy)
+            if found is None:
+                continue
+            gap, nx, ny = found
+            over = -(dx * nx + dy * ny) - max(gap, 0.0)
+            if over > 0.0:
+                dx += over * nx
+                dy += over * ny
+    ball["x"] = from_x + dx
+    ball["y"] = from_y + dy
+
+
 def exchange(
     first: Row, one: Row, second: Row, other: Row, u1: float, u2: float, nx: float, ny: float, elasticity: float
 ) -> float:
@@ -270,6 +314,14 @@ def let_fly(state: Row, ball: Row, flight: Row) -> None:
     """Wake a ball that was hit and let it fly from now on."""
     if flight["kind"] == ASLEEP:
         wake(state, ball)
+        flight["kind"] = FLYING
+        fall_freely(state, flight)
+
+
+def stir(state: Row, ball: Row, flight: Row) -> None:
+    """Let a sleeping ball fly for the rest of the substep."""
+    if flight["kind"] == ASLEEP:
+        rouse(state, ball)
         flight["kind"] = FLYING
         fall_freely(state, flight)
 

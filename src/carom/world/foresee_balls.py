@@ -116,7 +116,7 @@ def meeting_time(state: Row, ball: Row, flight: Row, other: Row, partner: Row) -
     x1, y1, vx1, vy1 = place_at(other, partner, time)
     dx, dy = float(ball["x"]) - x1, float(ball["y"]) - y1
     nearing = dx * (float(ball["vx"]) - vx1) + dy * (float(ball["vy"]) - vy1)
-    if nearing < -2.0 * quiet_speed(state) * sqrt(dx * dx + dy * dy):
+    if nearing < -2.0 * quiet_speed(state, flight, partner) * sqrt(dx * dx + dy * dy):
         return time
     return min(float(flight["patience"]), float(partner["patience"]))
 

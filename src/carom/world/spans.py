@@ -77,10 +77,8 @@ def sweep_pairs(state: Row, balls: Rows, flights: Rows, slots: Rows, starts: Row
         smallest = min(smallest, float(balls[i]["radius"]))
     if way > SWEEP_MOST * smallest:
         return True
-    tests = int(state["box_tests"])
     count = pairs_by_grid(state, balls, slots, starts, pairs, way * SWEEP_ROUNDING)
     if count < 0:
-        state["box_tests"] = tests
         return False
     state["pairs"] = count
     state["swept"] = 1

@@ -51,11 +51,10 @@ def holding_acceleration(
     return outward if dot(mx, my, nx, ny) > 0.0 else -outward
 
 
-def pressure(state: Row, shape: Row, time: float, ball: Row, nx: float, ny: float) -> float:
-    """The acceleration with which a ball that touches a shape is pressed against it; negative if it is pulled off."""
+def pressure(shape: Row, time: float, ball: Row, nx: float, ny: float, ax: float, ay: float) -> float:
+    """The acceleration with which a touching ball that (ax, ay) pulls is pressed on a shape; negative if off it."""
     x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
-    held = holding_acceleration(shape, time, x, y, vx, vy, nx, ny)
-    return held - dot(float(state["gravity_x"]), float(state["gravity_y"]), nx, ny)
+    return holding_acceleration(shape, time, x, y, vx, vy, nx, ny) - dot(ax, ay, nx, ny)
 
 
 def lasting_speed(press: float, duration: float) -> float:
@@ -63,10 +62,14 @@ def lasting_speed(press: float, duration: float) -> float:
     return 0.5 * press * LASTING_PART * duration
 
 
-def quiet_speed(state: Row) -> float:
-    """The speed that gravity adds while balls that rest on each other wait: no slower approach is a bounce."""
+def quiet_speed(state: Row, flight: Row, partner: Row) -> float:
+    """The speed that gravity, or what holds them, adds while balls that rest on each other wait.
+
+    No slower approach is a bounce.
+    """
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
-    return length(gx, gy) * PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
+    ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
+    return max(length(gx, gy), length(ax, ay)) * PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
 
 
 def slow_rebound(state: Row, shape: Row, ball: Row, flight: Row, nx: float, ny: float, elasticity: float) -> float:
@@ -75,7 +78,10 @@ def slow_rebound(state: Row, shape: Row, ball: Row, flight: Row, nx: float, ny: 
     At elasticities of 1 and more rebounds never end, and it is the speed of those that come more often than
     `max_impacts` allows and are lower than `ELASTIC_LIFT`.
     """
-    press = pressure(state, shape, float(flight["time"]), ball, nx, ny)
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    press = pressure(shape, float(flight["time"]), ball, nx, ny, gx, gy)
+    # What holds the ball already may press it on, as a floor that slopes down to an upright wall does.
+    press = max(press, pressure(shape, float(flight["time"]), ball, nx, ny, float(flight["ax"]), float(flight["ay"])))
     if press <= 0.0:
         return 0.0
     substep = float(state["dt"]) / float(state["substeps"])
@@ -122,24 +128,36 @@ def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, dura
     fall_freely(state, flight)
     if flight["kind"] != FLYING or ball["relation"] == NO_RELATION:
         return
+    time = float(flight["time"])
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    # What gravity presses the ball onto, and then what that presses it onto.
+    ax, ay = gx, gy
     first = NO_RELATION
-    second = NO_RELATION
+    for _ in range(2):
+        second = NO_RELATION
+        place = int(ball["relation"])
+        while place != NO_RELATION and second == NO_RELATION:
+            if relations[place]["kind"] == LASTING and place != first:
+                shape = shapes[relations[place]["other"]]
+                if holds(ball, time, shape, duration, changed, gx, gy) or (
+                    first != NO_RELATION and holds(ball, time, shape, duration, changed, ax, ay)
+                ):
+                    second = place
+            place = int(relations[place]["next"])
+        if first == NO_RELATION:
+            first = second
+            second = NO_RELATION
+            if first == NO_RELATION:
+                break
+            ax, ay = held_by(ball, time, shapes[relations[first]["other"]], gx, gy)
     before = NO_RELATION
     place = int(ball["relation"])
     while place != NO_RELATION:
-        if relations[place]["kind"] == LASTING:
-            held = second == NO_RELATION and holds(
-                state, ball, float(flight["time"]), shapes[relations[place]["other"]], duration, changed
-            )
-            if not held:
-                place = drop_relation(state, relations, ball, place, before)
-                continue
-            if first == NO_RELATION:
-                first = place
-            else:
-                second = place
-        before = place
-        place = int(relations[place]["next"])
+        if relations[place]["kind"] == LASTING and place != first and place != second:
+            place = drop_relation(state, relations, ball, place, before)
+        else:
+            before = place
+            place = int(relations[place]["next"])
     if first == NO_RELATION:
         return
     if second == NO_RELATION:
@@ -148,7 +166,18 @@ def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, dura
         rest_on_two(ball, flight, shapes[relations[first]["other"]], shapes[relations[second]["other"]])
 
 
-def holds(state: Row, ball: Row, time: float, shape: Row, duration: float, changed: bool) -> bool:
+def held_by(ball: Row, time: float, shape: Row, gx: float, gy: float) -> tuple[float, float]:
+    """The acceleration of a ball that gravity presses onto a shape."""
+    x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
+    found = gap_to_shape(shape, time, x, y, float(ball["radius"]), vx, vy)
+    if found is None:
+        return gx, gy
+    _gap, nx, ny = found
+    push = pressure(shape, time, ball, nx, ny, gx, gy)
+    return gx + push * nx, gy + push * ny
+
+
+def holds(ball: Row, time: float, shape: Row, duration: float, changed: bool, ax: float, ay: float) -> bool:
     """True if a lasting contact goes on: it is closed and pressed, and no impact throws the ball off or in."""
     if not may_collide(ball, shape):
         return False
@@ -158,7 +187,7 @@ def holds(state: Row, ball: Row, time: float, shape: Row, duration: float, chang
     if found is None:
         return False
     gap, nx, ny = found
-    press = pressure(state, shape, time, ball, nx, ny)
+    press = pressure(shape, time, ball, nx, ny, ax, ay)
     if press <= 0.0 or fabs(gap) > LIFT * radius:
         return False
     if not changed:
@@ -243,20 +272,41 @@ def rest_on_two(ball: Row, flight: Row, first: Row, second: Row) -> None:
     gx, gy = float(flight["ax"]), float(flight["ay"])
     n1x, n1y, held1 = put_onto(ball, time, first)
     n2x, n2y, held2 = put_onto(ball, time, second)
+    wedge = cross(n1x, n1y, n2x, n2y)
+    stop_in_wedge(ball, time, first, second, n1x, n1y, n2x, n2y, wedge)
+    if fabs(wedge) > LIFT:
+        x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
+        held1 = holding_acceleration(first, time, x, y, vx, vy, n1x, n1y)
+        held2 = holding_acceleration(second, time, x, y, vx, vy, n2x, n2y)
     push1 = held1 - dot(gx, gy, n1x, n1y)
     push2 = held2 - dot(gx, gy, n2x, n2y)
     ax, ay = gx + push1 * n1x, gy + push1 * n1y
     if dot(ax, ay, n2x, n2y) < held2:
         ax, ay = gx + push2 * n2x, gy + push2 * n2y
-        if dot(ax, ay, n1x, n1y) < held1:
-            wedge = cross(n1x, n1y, n2x, n2y)
-            if fabs(wedge) > LIFT:
-                ax = (held1 * n2y - held2 * n1y) / wedge
-                ay = (held2 * n1x - held1 * n2x) / wedge
+        if dot(ax, ay, n1x, n1y) < held1 and fabs(wedge) > LIFT:
+            ax = (held1 * n2y - held2 * n1y) / wedge
+            ay = (held2 * n1x - held1 * n2x) / wedge
     flight["ax"] = ax
     flight["ay"] = ay
     vx, vy = float(ball["vx"]), float(ball["vy"])
     flight["energy"] = 0.5 * (vx * vx + vy * vy) - dot(gx, gy, float(ball["x"]), float(ball["y"]))
+
+
+def stop_in_wedge(
+    ball: Row, time: float, first: Row, second: Row, n1x: float, n1y: float, n2x: float, n2y: float, wedge: float
+) -> None:
+    """Leave a ball between two shapes, which has been put onto the second, no speed into the first."""
+    if fabs(wedge) <= LIFT:
+        return
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    ux, uy = velocity_of_surface(first, time, x - radius * n1x, y - radius * n1y)
+    u1 = dot(ux, uy, n1x, n1y)
+    if dot(float(ball["vx"]), float(ball["vy"]), n1x, n1y) >= u1:
+        return
+    ux, uy = velocity_of_surface(second, time, x - radius * n2x, y - radius * n2y)
+    u2 = dot(ux, uy, n2x, n2y)
+    ball["vx"] = (u1 * n2y - u2 * n1y) / wedge
+    ball["vy"] = (u2 * n1x - u1 * n2x) / wedge
 
 
 def turn_time(ball: Row, shape: Row) -> float:

@@ -1,0 +1,59 @@
+"""Lasting contacts with two shapes at once, and of balls that lean on each other."""
+
+from math import asin, cos, pi, sin
+from typing import Any
+
+import pytest
+
+from carom import Ball, Circle, Segment, World
+
+
+def world_of(*shapes: Any, **settings: Any) -> World:
+    """A continuous world with gravity that holds the shapes, in which a ball is soon stalled."""
+    world = World(**({"gravity": (0.0, -10.0), "detection": "continuous", "max_impacts": 1000} | settings))
+    for shape in shapes:
+        world.add(shape)
+    return world
+
+
+@pytest.mark.parametrize("top", [4.9, 5.0, 5.1], ids=["overhanging", "upright", "leaning back"])
+@pytest.mark.parametrize("elasticity", [0.0, 0.5])
+def test_a_ball_rests_where_a_slope_ends_at_a_wall(top: float, elasticity: float) -> None:
+    # Gravity does not press it onto the wall, the slope does.
+    world = world_of(Segment((-5, 1), (5, 0)), Segment((5, 0), (top, 5)))
+    ball = world.add(Ball((4, 1), 0.5, elasticity=elasticity))
+    world.run(4, dt=1 / 30)
+    assert world.statistics.stalled == 0
+    assert world.statistics.full_tests < 5000
+    assert ball.velocity == pytest.approx((0, 0), abs=1e-9)
+    assert 4.4 < ball.position[0] < 4.6
+    assert len(world.run(1, dt=1 / 30)) == 0
+
+
+@pytest.mark.parametrize("dt", [0.1, 1.0])
+@pytest.mark.parametrize("elasticity", [0.0, 0.6])
+def test_a_wedge_holds_a_ball_in_long_steps(dt: float, elasticity: float) -> None:
+    slope = pi / 6
+    world = world_of(
+        Segment((-5, 5 * sin(slope) / cos(slope)), (0, 0)),
+        Segment((0, 0), (5, 5 * sin(slope) / cos(slope))),
+        substeps=1,
+    )
+    ball = world.add(Ball((0.3, 0.4), 0.05, elasticity=elasticity))
+    for _ in range(round(8 / dt)):
+        world.step(dt)
+        x, y = ball.position
+        assert y * cos(slope) - abs(x) * sin(slope) >= 0.05 * (1 - 1e-3)
+    assert ball.position == pytest.approx((0, 0.05 / cos(slope)), abs=1e-9)
+    assert ball.velocity == pytest.approx((0, 0), abs=1e-9)
+
+
+def test_two_balls_slide_round_a_bowl_in_contact_without_gravity() -> None:
+    world = world_of(Circle((0, 0), 5), gravity=(0, 0))
+    for side, speed in ((-1, 1.0), (1, 0.8)):
+        angle = side * asin(0.5 / 4.5)
+        place = (4.5 * cos(angle), 4.5 * sin(angle))
+        world.add(Ball(place, 0.5, velocity=(-speed * sin(angle), speed * cos(angle)), elasticity=0.0))
+    world.run(0.6)
+    assert world.statistics.stalled == 0
+    assert world.statistics.full_tests < 5000
