@@ -42,7 +42,7 @@ def fall_on_line(
         time = fall_from_overlap(gap, rate, acceleration, along_rate, radius, -slop <= along <= extent + slop)
     if time is not None and time <= duration:
         touch = touch_in_slab(
-            time, duration, gap, rate, acceleration, along, along_rate, along_acceleration, extent, slop, radius
+            0.0 + time, duration, gap, rate, acceleration, along, along_rate, along_acceleration, extent, slop, radius
         )
         if touch is not None:
             return touch
@@ -52,7 +52,7 @@ def fall_on_line(
     if time is None or time > duration:
         return None
     return touch_in_slab(
-        time, duration, gap, -rate, -acceleration, along, along_rate, along_acceleration, extent, slop, radius
+        0.0 + time, duration, gap, -rate, -acceleration, along, along_rate, along_acceleration, extent, slop, radius
     )
 
 

@@ -100,7 +100,7 @@ def reach_arc(
         if time is None:
             return None
         nearest = smaller(duration, -b / speed_squared)
-        touch = touch_in_sector(time, nearest, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, 0.0, 0.0)
+        touch = touch_in_sector(0.0 + time, nearest, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, 0.0, 0.0)
         if touch is not None:
             return touch
     else:
@@ -145,4 +145,4 @@ def reach_line(
         time = gap / (0.0 - rate)
     if not time <= duration:
         return None
-    return touch_in_slab(time, duration, gap, rate, 0.0, along, along_rate, 0.0, extent, slop, radius)
+    return touch_in_slab(0.0 + time, duration, gap, rate, 0.0, along, along_rate, 0.0, extent, slop, radius)

@@ -17,6 +17,7 @@ from carom.world.layout import (
     PASSING,
 )
 from carom.world.narrow import may_collide
+from carom.world.queue import row_of
 from carom.world.recording import write_hit
 from carom.world.relations import add_relation, drop_relation, find_relation
 from carom.world.shape_index import FIXED, cell_span, distance_to_shape, locate
@@ -125,7 +126,7 @@ def note_passing(
     """
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     for k in range(begin, end):
-        row = int(members[k])
+        row = row_of(members[k])
         shape = shapes[row]
         if shape["kind"] == POINT or shape["kind"] == CIRCLE:
             continue

@@ -157,7 +157,10 @@ def _register_once(numba: Any) -> None:
     if not _registered:
         _registered.extend(kernel_functions())
         for function in _registered:
-            numba.extending.register_jitable(error_model="numpy")(function)
+            # No Python code calls the compiled callees, so there is no need of wrappers, which take long to compile.
+            numba.extending.register_jitable(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)(
+                function
+            )
 
 
 def source_hash() -> str:

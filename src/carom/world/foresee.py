@@ -21,7 +21,7 @@ from carom.world.layout import (
     NOTHING,
 )
 from carom.world.narrow import may_collide
-from carom.world.queue import put_event, take_event
+from carom.world.queue import put_event, row_of, take_event
 from carom.world.shape_index import FIXED, cell_span, locate
 from carom.world.support import lean, slide_time
 from carom.world.surfaces import impact_at_rest, impact_in_motion, is_moving, span_box
@@ -141,7 +141,7 @@ def foresee_relations(state: Row, ball: Row, flight: Row, shapes: Rows, relation
         if relation["kind"] == LASTING:
             substep = float(state["dt"]) / float(state["substeps"])
             delay, leaves = slide_time(ball, flight, shapes[relation["other"]], substep)
-            consider(flight, delay, LEAVE if leaves else LOOK, int(relation["other"]))
+            consider(flight, delay, LEAVE if leaves else LOOK, row_of(relation["other"]))
         else:
             consider(flight, LOOK_TRAVEL * float(ball["radius"]) / speed, LOOK, NO_BALL)
         place = int(relation["next"])
@@ -250,7 +250,7 @@ def foresee_members(
     radius = float(ball["radius"])
     state["box_tests"] += high - low
     for k in range(low, high):
-        row = int(members[k])
+        row = row_of(members[k])
         shape = shapes[row]
         if (
             right + radius >= shape["left"]
@@ -329,7 +329,7 @@ def foresee_kinematic(state: Row, ball: Row, flight: Row, shapes: Rows, order: R
     foresee_members(state, ball, flight, shapes, order, relations, fixed, count, 0.0, duration)
     for k in range(fixed, count):
         if is_moving(shapes[order[k]]):
-            foresee_moving(state, ball, flight, shapes, int(order[k]), relations)
+            foresee_moving(state, ball, flight, shapes, row_of(order[k]), relations)
 
 
 def foresee_moving(state: Row, ball: Row, flight: Row, shapes: Rows, row: int, relations: Rows) -> None:

@@ -22,7 +22,7 @@ def is_sooner(flights: Rows, first: int, second: int) -> bool:
 
 def put_event(state: Row, flights: Rows, queue: Rows, ball: int) -> None:
     """Put a ball into the queue, or move it to where its event's time belongs."""
-    place = int(flights[ball]["place"])
+    place = row_of(flights[ball]["place"])
     if place == NO_PLACE:
         place = int(state["queued"])
         state["queued"] = place + 1
@@ -32,14 +32,14 @@ def put_event(state: Row, flights: Rows, queue: Rows, ball: int) -> None:
 
 def take_event(state: Row, flights: Rows, queue: Rows, ball: int) -> None:
     """Take a ball out of the queue, if it is there."""
-    place = int(flights[ball]["place"])
+    place = row_of(flights[ball]["place"])
     if place == NO_PLACE:
         return
     flights[ball]["place"] = NO_PLACE
     last = int(state["queued"]) - 1
     state["queued"] = last
     if place < last:
-        moved = int(queue[last])
+        moved = row_of(queue[last])
         sift_down(state, flights, queue, moved, sift_up(flights, queue, moved, place))
 
 
@@ -47,7 +47,7 @@ def sift_up(flights: Rows, queue: Rows, ball: int, place: int) -> int:
     """The place of a ball after it was moved up from the free `place` as far as it belongs, and written there."""
     while place > 0:
         parent = (place - 1) // 2
-        above = int(queue[parent])
+        above = row_of(queue[parent])
         if not is_sooner(flights, ball, above):
             break
         queue[place] = above
@@ -65,9 +65,9 @@ def sift_down(state: Row, flights: Rows, queue: Rows, ball: int, place: int) -> 
         child = 2 * place + 1
         if child >= count:
             break
-        if child + 1 < count and is_sooner(flights, int(queue[child + 1]), int(queue[child])):
+        if child + 1 < count and is_sooner(flights, row_of(queue[child + 1]), row_of(queue[child])):
             child += 1
-        below = int(queue[child])
+        below = row_of(queue[child])
         if not is_sooner(flights, below, ball):
             break
         queue[place] = below
