@@ -62,3 +62,13 @@ def test_energy_on_a(floor: str) -> None:
         impacts += int((hits["shape"] == shapes[-1].id).sum())
         assert energies(world) == pytest.approx(before, rel=1e-9)
     assert world.statistics.stalled == 0
+
+
+def test_a_kick_is_limited_at_once() -> None:
+    world = world_of([], max_speed=5.0)
+    world.add(carom.Circle((0, 0), 1.0, solid=True, kick=100.0))
+    ball = world.add(carom.Ball((4, 0), 0.5, velocity=(-5, 0)))
+    world.step(1.0)
+    assert ball.velocity == pytest.approx((5, 0))
+    assert ball.position == pytest.approx((4, 0))
+    assert world.statistics.slowed == 1

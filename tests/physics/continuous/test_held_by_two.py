@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from carom import Ball, Circle, Segment, World
+from carom.world.encounter import keep_push_out
 
 
 def world_of(*shapes: Any, **settings: Any) -> World:
@@ -57,3 +58,16 @@ def test_two_balls_slide_round_a_bowl_in_contact_without_gravity() -> None:
     world.run(0.6)
     assert world.statistics.stalled == 0
     assert world.statistics.full_tests < 5000
+
+
+@pytest.mark.parametrize(
+    ("aim", "expected"), [((0.0, -3.0), (0.0, 0.5)), ((0.1, 0.58), (0.1, 0.58)), ((3.0, 0.6), (0.125, 0.6))]
+)
+def test_a_push_is_short_and_stops_at_a_wall(aim: tuple[float, float], expected: tuple[float, float]) -> None:
+    world = world_of(Segment((-5, 0), (5, 0)), gravity=(0, 0))
+    world.add(Ball((0, 0.6), 0.5))
+    world.step(0.01)
+    states, balls, shapes, _order, index, cells, members = world._arguments[:7]
+    balls[0]["x"], balls[0]["y"] = aim
+    keep_push_out(states[0], balls[0], shapes, index, cells, members, world._room.relations, 0.0, 0.6)
+    assert (balls[0]["x"], balls[0]["y"]) == pytest.approx(expected)

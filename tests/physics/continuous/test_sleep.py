@@ -105,3 +105,25 @@ def test_a_sleeping_ball_is_met_when_a_falling_one_touches_it(others: int, first
     assert asleep(world) == 1 + others
     hits = world.run(0.4)
     assert hits["time"][0] == pytest.approx(sqrt(2 * 17 / 10), rel=1e-12)
+
+
+def test_a_sleeping_ball_that_is_hit_flies_on_in_the_same_step() -> None:
+    world = world_of(substeps=1)
+    still = world.add(Ball((0, 0), 0.5))
+    world.add(Ball((-21, 0), 0.5, velocity=(10, 0)))
+    world.run(1)
+    assert asleep(world) == 1
+    world.step(2.0)
+    assert still.position == pytest.approx((10, 0), rel=1e-12)
+
+
+def test_a_sleeping_ball_that_is_pushed_softly_moves() -> None:
+    world = world_of(sleep_speed=0.01, rest_speed=1.0)
+    still = world.add(Ball((0, 0), 0.5))
+    world.add(Ball((-1.1, 0), 0.5, velocity=(0.05, 0), elasticity=0.0))
+    world.run(1)
+    assert asleep(world) == 1
+    assert len(world.run(3)) == 0
+    assert asleep(world) == 0
+    assert still.velocity == pytest.approx((0.025, 0))
+    assert still.position == pytest.approx((0.05, 0), rel=1e-6)
