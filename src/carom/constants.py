@@ -144,6 +144,13 @@ LASTING_PART = 1.0 / 64.0
 #: stiffer and cost more.
 PATIENCE_PART = 1.0 / 16.0
 
+#: Fraction of the radius of the smaller of them: balls that rest on each other meet again before what pulls them has
+#: moved them farther than this. More, and in long substeps a ball falls into the one below it.
+PATIENCE_DEPTH = 0.01
+
+#: Times that their wait is halved for that at most: in a substep of an hour a ball of a millimetre needs 30.
+PATIENCE_HALVINGS = 40
+
 #: Fraction of such a part: a time less than this before its end is at its end.
 TICK_MARGIN = 1e-6
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import floor
 
-from carom.constants import JOINT_TURN, PATIENCE_PART, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
+from carom.constants import JOINT_TURN, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
 from carom.geometry.response import exchanged, reflected, reflected_total
 from carom.geometry.vector import dot, larger, length
 from carom.rows import GATE, Row, Rows
@@ -17,7 +17,7 @@ from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, drop_all, find_relation, has_kind
 from carom.world.shape_index import FIXED, cell_span, locate
-from carom.world.support import quiet_speed, slow_rebound, throw_off
+from carom.world.support import patience, slow_rebound, throw_off
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
 
 
@@ -193,17 +193,18 @@ def impact_of_balls(
         part_balls(first, flights[i], second, flights[j], nx, ny, setback)
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
+    wait, quiet = patience(state, first, flights[i], second, flights[j])
     if u2 - u1 >= 0.0:
-        be_patient(state, flights, i, j, now)
+        be_patient(flights[i], flights[j], now, wait)
         return pushed
-    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet_speed(state, flights[i], flights[j]))
+    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet)
     if resting:
         # Slow as they are, they move; at the substep's end they fall asleep again if they are slow still.
         stir(state, first, flights[i])
         stir(state, second, flights[j])
     gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
     if resting:
-        be_patient(state, flights, i, j, now)
+        be_patient(flights[i], flights[j], now, wait)
         return pushed
     flights[i]["patience"] = 0.0
     flights[j]["patience"] = 0.0
@@ -217,15 +218,14 @@ def impact_of_balls(
     return pushed
 
 
-def be_patient(state: Row, flights: Rows, i: int, j: int, now: float) -> None:
-    """Let two balls that rest on each other, or are pressed together, meet again after a part of the substep only.
+def be_patient(flight: Row, partner: Row, now: float, wait: float) -> None:
+    """Let two balls that rest on each other, or are pressed together, meet again after a wait only.
 
     All wait for the same ticks, so one that meets another meanwhile does not put off the first.
     """
-    part = PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
-    until = (floor(now / part + TICK_MARGIN) + 1.0) * part
-    flights[i]["patience"] = until
-    flights[j]["patience"] = until
+    until = (floor(now / wait + TICK_MARGIN) + 1.0) * wait
+    flight["patience"] = until
+    partner["patience"] = until
 
 
 def velocity_in_flight(ball: Row, flight: Row) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from carom.world.layout import FLYING, HIT_BALL, INSIDE_BALL, NO_BALL
 from carom.world.narrow import may_collide
 from carom.world.queue import row_of
 from carom.world.relations import find_relation
-from carom.world.support import quiet_speed
+from carom.world.support import patience
 
 
 def foresee_balls(
@@ -116,7 +116,8 @@ def meeting_time(state: Row, ball: Row, flight: Row, other: Row, partner: Row) -
     x1, y1, vx1, vy1 = place_at(other, partner, time)
     dx, dy = float(ball["x"]) - x1, float(ball["y"]) - y1
     nearing = dx * (float(ball["vx"]) - vx1) + dy * (float(ball["vy"]) - vy1)
-    if nearing < -2.0 * quiet_speed(state, flight, partner) * sqrt(dx * dx + dy * dy):
+    _wait, quiet = patience(state, ball, flight, other, partner)
+    if nearing < -2.0 * quiet * sqrt(dx * dx + dy * dy):
         return time
     return min(float(flight["patience"]), float(partner["patience"]))
 

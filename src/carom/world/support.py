@@ -9,7 +9,18 @@ from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import ELASTIC_LIFT, END_SLOP, LASTING_PART, LIFT, PATIENCE_PART, SLIDE_PART, SLIDE_TURN, THROW_OFF
+from carom.constants import (
+    ELASTIC_LIFT,
+    END_SLOP,
+    LASTING_PART,
+    LIFT,
+    PATIENCE_DEPTH,
+    PATIENCE_HALVINGS,
+    PATIENCE_PART,
+    SLIDE_PART,
+    SLIDE_TURN,
+    THROW_OFF,
+)
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
 from carom.rows import ARC, GATE, NO_RELATION, SEGMENT, Row, Rows
@@ -62,14 +73,23 @@ def lasting_speed(press: float, duration: float) -> float:
     return 0.5 * press * LASTING_PART * duration
 
 
-def quiet_speed(state: Row, flight: Row, partner: Row) -> float:
-    """The speed that gravity, or what holds them, adds while balls that rest on each other wait.
+def patience(state: Row, ball: Row, flight: Row, other: Row, partner: Row) -> tuple[float, float]:
+    """How long two balls that rest on each other wait before they meet again, and the speed that pulls them meanwhile.
 
-    No slower approach is a bounce.
+    No slower approach is a bounce. The wait is a part of the substep, halved as often as need be, so all waits end at
+    the same ticks.
     """
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
     ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
-    return max(length(gx, gy), length(ax, ay)) * PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
+    # Without gravity it is what holds the balls that may press them together.
+    pull = max(length(gx, gy), length(ax, ay))
+    deep = 2.0 * PATIENCE_DEPTH * min(float(ball["radius"]), float(other["radius"]))
+    wait = PATIENCE_PART * float(state["dt"]) / float(state["substeps"])
+    for _ in range(PATIENCE_HALVINGS):
+        if pull * wait * wait <= deep:
+            break
+        wait = 0.5 * wait
+    return wait, pull * wait
 
 
 def slow_rebound(state: Row, shape: Row, ball: Row, flight: Row, nx: float, ny: float, elasticity: float) -> float:

@@ -71,3 +71,16 @@ def test_a_push_is_short_and_stops_at_a_wall(aim: tuple[float, float], expected:
     balls[0]["x"], balls[0]["y"] = aim
     keep_push_out(states[0], balls[0], shapes, index, cells, members, world._room.relations, 0.0, 0.6)
     assert (balls[0]["x"], balls[0]["y"]) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("heavier", [1.0, 50.0])
+def test_a_ball_does_not_fall_into_the_one_below_it_in_long_steps(heavier: float) -> None:
+    world = World(gravity=(0, -10), detection="continuous", substeps=1)
+    world.add(Segment((-1, 0), (1, 0)))
+    low, high = Ball((0, 0.01), 0.01, elasticity=0.0), Ball((0, 0.03), 0.01, elasticity=0.0, mass=heavier)
+    world.add(low)
+    world.add(high)
+    for _ in range(2):
+        world.step(0.5)
+        assert low.position[1] == pytest.approx(0.01, rel=1e-9)
+        assert high.position[1] > 0.028
