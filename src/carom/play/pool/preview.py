@@ -1,0 +1,68 @@
+"""What the player sees of a shot before it: the line of `World.aim`, the ghost ball, and where both balls go then."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import carom
+from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector
+
+if TYPE_CHECKING:
+    from carom import Aim
+
+#: cm: farther than any two places of the table.
+FAR = 400.0
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A ball's straight way to its next impact; `pocket` is the pocket that it falls into, if it does."""
+
+    start: Vector
+    end: Vector
+    pocket: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """The shot along one direction.
+
+    Attributes:
+        aim: The cue ball's line up to its first impact.
+        pocket: The pocket that the cue ball falls into before that, if it does.
+        cue: Its way on from there, or None where it stands still or is potted.
+        eight: The eight's way, or None where the cue ball does not meet it.
+    """
+
+    aim: Aim
+    pocket: str | None
+    cue: Leg | None
+    eight: Leg | None
+
+
+def preview(pool: Pool, direction: Vector) -> Preview | None:
+    """What a shot in a direction would do, or None if it would meet nothing."""
+    aim = pool.world.aim(pool.cue, direction)
+    if aim is None:
+        return None
+    pocket = leg(pool, aim.start, direction, 0).pocket if aim.shape is not pool.eight else None
+    cue = eight = None
+    if aim.direction is not None and pocket is None:
+        cue = leg(pool, aim.ghost, aim.direction, 0 if aim.shape is pool.eight else EIGHT)
+    if aim.other_direction is not None:
+        eight = leg(pool, pool.eight.position, aim.other_direction, 0)
+    return Preview(aim, pocket, cue, eight)
+
+
+def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
+    """The way of a ball from `start` to what it meets first: a pocket, a cushion, or a ball on the layers `balls`."""
+    target = (start[0] + FAR * direction[0], start[1] + FAR * direction[1])
+    radius = pool.cue.radius
+    hit = pool.world.circle_cast(start, radius, target, collides_with=SHAPES | balls, sensors=True)
+    if hit is None:
+        return Leg(start, target, None)
+    way = FAR * hit.fraction
+    end = (start[0] + way * direction[0], start[1] + way * direction[1])
+    sensor = not isinstance(hit.shape, carom.Ball) and hit.shape.sensor
+    return Leg(start, end, hit.shape.name if sensor else None)
