@@ -69,11 +69,10 @@ class Canvas:
         """Nothing; takes the share `mask` of its light from each pixel."""
         self.light *= (1.0 - mask)[..., None]
 
-    def surface(self) -> pygame.Surface:
-        """The finished picture."""
-        picture = pygame.Surface(self.size, 0, 32)
-        pygame.surfarray.blit_array(picture, np.clip(self.light + 0.5, 0.0, 255.0).astype(np.uint8))
-        return picture
+    def picture(self) -> NDArray[np.uint8]:
+        """The finished picture's colours."""
+        colours: NDArray[np.uint8] = np.clip(self.light + 0.5, 0.0, 255.0).astype(np.uint8)
+        return colours
 
 
 def blurred(field: Field, radius: float) -> Field:

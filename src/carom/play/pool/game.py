@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
 from math import hypot
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import carom
 
@@ -70,6 +70,14 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True)
+class Fall:
+    """A ball's fall: into which pocket, and the world's time."""
+
+    pocket: str
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
 class Setup:
     """Where the two balls lie before the first shot."""
 
@@ -92,7 +100,7 @@ class Pool:
         self.shots = 0
         self.marks: list[Mark] = []
         self.noises: list[tuple[Impact, float]] = []
-        self.potted: dict[str, str] = {}
+        self.potted: dict[str, Fall] = {}
         self.moving = False
         self._shot_at = 0.0
         self.place(setup)
@@ -114,6 +122,11 @@ class Pool:
     def over(self) -> bool:
         """Whether the game is won or lost."""
         return self.phase in (Phase.WON, Phase.LOST)
+
+    @property
+    def age(self) -> float:
+        """Seconds since the last shot."""
+        return self.world.time - self._shot_at
 
     def shoot(self, direction: Vector, power: float) -> None:
         """Nothing; shoots the cue ball. `power` goes from 0, the softest shot, to 1; only while aiming."""
@@ -137,7 +150,7 @@ class Pool:
         hits = self.world.step(STEP)
         for hit in hits:
             if hit.kind is carom.HitKind.ENTER:
-                self.potted.setdefault(hit.ball.name or "", hit.shape.name or "")
+                self.potted.setdefault(hit.ball.name or "", Fall(hit.shape.name or "", hit.time))
             elif hit.kind is carom.HitKind.BOUNCE:
                 self._bounce(hit)
         if self.cue.name in self.potted:
@@ -155,7 +168,7 @@ class Pool:
                 return made
         return most
 
-    def _bounce(self, hit: carom.world.Hit) -> None:
+    def _bounce(self, hit: Any) -> None:
         """Nothing; marks an impact, if it can be seen: what goes on inside a pocket after the first one cannot."""
         if abs(hit.impulse) < LEAST_IMPULSE or self._fell(hit.ball):
             return

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import hypot
 from typing import TYPE_CHECKING
 
-import carom
 from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector
 
 if TYPE_CHECKING:
@@ -64,5 +64,11 @@ def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
         return Leg(start, target, None)
     way = FAR * hit.fraction
     end = (start[0] + way * direction[0], start[1] + way * direction[1])
-    sensor = not isinstance(hit.shape, carom.Ball) and hit.shape.sensor
-    return Leg(start, end, hit.shape.name if sensor else None)
+    return Leg(start, end, pocket_at(pool, end) if hit.shape.sensor or hit.shape.name == "pocket" else None)
+
+
+def pocket_at(pool: Pool, place: Vector) -> str:
+    """The name of the pocket that is nearest to a place."""
+    sensors = [shape for shape in pool.world.shapes if shape.sensor]
+    x, y = place
+    return min(sensors, key=lambda shape: hypot(shape.position[0] - x, shape.position[1] - y)).name or ""

@@ -40,9 +40,7 @@ def lines(pool: Pool) -> list[Shot]:
         if not (sensor.sensor and isinstance(sensor, carom.Circle)):
             continue
         way_x, way_y = _unit(sensor.center[0] - x, sensor.center[1] - y)
-        free = pool.world.circle_cast(
-            (x, y), pool.eight.radius, sensor.center, collides_with=SHAPES, sensors=True
-        )
+        free = pool.world.circle_cast((x, y), pool.eight.radius, sensor.center, collides_with=SHAPES, sensors=True)
         direction = (x - reach * way_x - cue_x, y - reach * way_y - cue_y)
         along = _unit(*direction)
         fullness = along[0] * way_x + along[1] * way_y

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import atan2, cos, sin, tau
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,7 @@ from carom.play.pool.canvas import Canvas, Field, blurred, noise
 from carom.play.pool.layout import CLOTH, CUSHION, CUSHION_CLOTH, RAIL, ROOM, SCALE, SIZE, WOOD, Layout
 
 if TYPE_CHECKING:
-    import pygame
+    from numpy.typing import NDArray
 
     from carom.play.pool.game import Vector
 
@@ -73,13 +74,21 @@ def _distance(a: Vector, b: Vector) -> float:
     return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
 
 
+@lru_cache(maxsize=1)
+def table_picture() -> NDArray[np.uint8]:
+    """The colours of the whole window with the empty table in it, of shape (width, height, 3)."""
+    world = carom.scenes.pool().build()
+    return TableArt(world, cloth_of(world)).picture()
+
+
 class TableArt:
-    """The painter of one table; `surface` is the finished picture of the whole window."""
+    """The painter of one table; `picture` is the finished picture of the whole window."""
 
     def __init__(self, world: carom.World, layout: Layout) -> None:
         self.layout = layout
         self.canvas = Canvas(SIZE)
-        self.holes = [(layout.pixel(arc.center), arc.radius * SCALE) for arc in pockets(world)]
+        self.pockets = pockets(world)
+        self.holes = [(layout.pixel(arc.center), arc.radius * SCALE) for arc in self.pockets]
         self.inside = self.canvas.polygon([layout.pixel(corner) for corner in outline(rim(world))])
         columns, lines = np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1]), indexing="ij")
         self.x = ((columns + 0.5 - layout.left) / SCALE).astype(np.float32)
@@ -88,24 +97,25 @@ class TableArt:
         self.outward = np.maximum(across, along)
         self.sideways = across > along
         self.lamp = self._lamp()
+        self.specks = noise(SIZE, (1, 1), 6)
 
-    def surface(self) -> pygame.Surface:
-        """The picture."""
+    def picture(self) -> NDArray[np.uint8]:
+        """The picture's colours."""
         self._paint_room()
         self._paint_wood()
-        self._paint_pocket_rims()
         self._paint_cushions()
+        self._paint_pocket_rims()
         self._paint_cloth()
         self._paint_holes()
         self._paint_sights()
-        return self.canvas.surface()
+        return self.canvas.picture()
 
     def _lamp(self) -> Field:
         """How bright the lamp above the table makes each pixel, 1 in the middle."""
         x = (self.x - self.layout.width / 2.0) / self.layout.width
         y = (self.y - self.layout.height * 0.54) / self.layout.height
-        light: Field = 1.06 / (1.0 + 1.15 * x * x + 0.62 * y * y)
-        return light
+        light = 1.06 / (1.0 + 1.15 * x * x + 0.62 * y * y)
+        return np.asarray(light, np.float32)
 
     def _box(self, outward: float, corner: float) -> Field:
         """The mask of a box that is `outward` cm larger than the cloth on each side."""
@@ -132,42 +142,51 @@ class TableArt:
         bevel = 0.68 + 0.42 * np.sin(np.pi * np.clip(across * 0.9 + 0.08, 0.0, 1.0)) ** 0.7
         # The lamp hangs above the middle: the side of a rail that looks there is brighter.
         shade = bevel * (1.12 - 0.22 * across) * (0.94 + 0.13 * grain) * (0.45 + 0.6 * self.lamp)
-        mitre = np.abs(np.abs(self.x - self.layout.width / 2.0) - np.abs(self.y - self.layout.height / 2.0)
-                       - (self.layout.width - self.layout.height) / 2.0)
+        mitre = np.abs(
+            np.abs(self.x - self.layout.width / 2.0)
+            - np.abs(self.y - self.layout.height / 2.0)
+            - (self.layout.width - self.layout.height) / 2.0
+        )
         shade = shade * (1.0 - 0.35 * np.exp(-((mitre * 3.0) ** 2)))
         mask = self._box(RAIL, 7.0)
         self.canvas.paint(mask, WOOD, shade.astype(np.float32))
         edge = np.clip(mask - self._box(RAIL - 0.55, 6.5), 0.0, 1.0)
         self.canvas.paint(edge * np.float32(0.5), (226, 164, 108), self.lamp)
-        self.canvas.darken(np.clip(self._box(CUSHION + 0.9, 1.0) - self._box(CUSHION, 0.5), 0.0, 1.0) * np.float32(0.55))
-
-    def _paint_pocket_rims(self) -> None:
-        """Nothing; paints brass and leather round the pockets."""
-        wood = self._box(RAIL - 0.6, 6.5)
-        brass = self.canvas.discs([(center, radius + 3.1 * SCALE) for center, radius in self.holes]) * wood
-        gleam = np.float32(0.0)
-        for (x, y), _ in self.holes:
-            dx, dy = self.x - (x - self.layout.left) / SCALE, self.y - self.layout.height + (y - self.layout.top) / SCALE
-            near = np.exp(-(dx * dx + dy * dy) / 120.0)
-            gleam = gleam + near * (0.5 + 0.5 * np.cos(3.0 * np.arctan2(dy, dx) - 0.9))
-        shade = (0.55 + 0.75 * np.clip(gleam, 0.0, 1.0)) * (0.5 + 0.5 * self.lamp)
-        self.canvas.darken(blurred(brass, 5) * np.float32(0.45))
-        self.canvas.paint(brass, BRASS, shade.astype(np.float32))
-        leather = self.canvas.discs([(center, radius + 2.3 * SCALE) for center, radius in self.holes]) * wood
-        self.canvas.paint(leather, LEATHER, (0.9 + 0.1 * noise(SIZE, (3, 3), 5)).astype(np.float32))
+        self.canvas.darken(
+            np.clip(self._box(CUSHION + 0.9, 1.0) - self._box(CUSHION, 0.5), 0.0, 1.0) * np.float32(0.55)
+        )
 
     def _paint_cushions(self) -> None:
         """Nothing; paints the cushions: their slope from the nose to the rail, and the dark seam at their back."""
-        holes = self.canvas.discs([(center, radius + 1.0 * SCALE) for center, radius in self.holes])
-        mask = self._box(CUSHION, 0.5) * (1.0 - holes)
         depth = np.clip(self.outward / CUSHION, 0.0, 1.0)
         nose = np.exp(-(((self.outward - 0.7) / 0.55) ** 2))
-        shade = (0.86 + 0.30 * nose - 0.22 * depth) * self.lamp * (1.0 + 0.02 * noise(SIZE, (1, 1), 6))
-        self.canvas.paint(mask.astype(np.float32), CUSHION_CLOTH, shade.astype(np.float32))
+        shade = (0.90 + 0.34 * nose - 0.24 * depth) * self.lamp * (1.0 + 0.012 * self.specks)
+        self.canvas.paint(self._box(CUSHION, 0.5), CUSHION_CLOTH, shade.astype(np.float32))
+
+    def _paint_pocket_rims(self) -> None:
+        """Nothing; paints brass and leather round the pockets."""
+        outside = self._box(RAIL - 0.7, 6.4) * (1.0 - self.inside)
+        brass = self.canvas.polygons([self._pie(arc, 3.3) for arc in self.pockets]) * outside
+        leather = self.canvas.polygons([self._pie(arc, 2.5) for arc in self.pockets]) * outside
+        self.canvas.darken(blurred(brass, 5) * outside * np.float32(0.5))
+        # Brushed brass gleams in two directions, seen from the middle of each pocket.
+        gleam = np.zeros(SIZE, np.float32)
+        for arc in self.pockets:
+            dx, dy = self.x - arc.center[0], self.y - arc.center[1]
+            near = dx * dx + dy * dy < 150.0
+            gleam[near] = 0.5 + 0.5 * np.cos(3.0 * np.arctan2(dy, dx)[near] - 0.9)
+        self.canvas.paint(brass, BRASS, ((0.55 + 0.75 * gleam) * (0.45 + 0.6 * self.lamp)).astype(np.float32))
+        self.canvas.paint(leather, LEATHER, (0.55 + 0.5 * self.lamp).astype(np.float32))
+
+    def _pie(self, arc: carom.Arc, margin: float) -> list[Vector]:
+        """The corners, in pixels, of the piece of a disc that an arc bounds, `margin` cm larger."""
+        (x, y), grown = arc.center, (arc.radius + margin) / arc.radius
+        rim_points = [(x + (px - x) * grown, y + (py - y) * grown) for px, py in _points(arc)]
+        return [self.layout.pixel(place) for place in [(x, y), *rim_points]]
 
     def _paint_cloth(self) -> None:
         """Nothing; paints the cloth: its weave, its lines, and the shadow that the cushions cast on it."""
-        weave = 1.0 + 0.016 * noise(SIZE, (1, 1), 7) + 0.012 * noise(SIZE, (30, 30), 8) + 0.01 * noise(SIZE, (6, 2), 9)
+        weave = 1.0 + 0.012 * self.specks + 0.012 * noise(SIZE, (30, 30), 8)
         self.canvas.paint(self.inside, CLOTH, (weave * self.lamp).astype(np.float32))
         quarter, middle = self.layout.width / 4.0, self.layout.height / 2.0
         line = np.exp(-(((self.x - quarter) / 0.22) ** 2)) * self.inside
@@ -189,7 +208,7 @@ class TableArt:
         width, height, out = self.layout.width, self.layout.height, (CUSHION + RAIL) / 2.0 + 0.4
         places = [(width * part / 8.0, y) for part in (1, 2, 3, 5, 6, 7) for y in (-out, height + out)]
         places += [(x, height * part / 4.0) for part in (1, 2, 3) for x in (-out, width + out)]
-        for half, colour, strength in ((1.25, (40, 20, 12), 0.8), (0.95, PEARL, 1.0)):
+        for half, colour, strength in ((1.5, (40, 20, 12), 0.8), (1.15, PEARL, 1.0)):
             diamonds = [[self.layout.pixel(corner) for corner in _diamond(place, half)] for place in places]
             self.canvas.paint(self.canvas.polygons(diamonds) * np.float32(strength), colour, self.lamp)
 
