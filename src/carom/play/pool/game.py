@@ -86,7 +86,7 @@ class Setup:
 
 
 #: The first position: the eight lies for the lower right pocket, at a comfortable angle.
-FIRST = Setup(cue=(72.0, 78.0), eight=(191.0, 42.0))
+FIRST = Setup(cue=(72.0, 78.0), eight=(196.0, 46.0))
 
 
 class Pool:

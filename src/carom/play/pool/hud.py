@@ -68,7 +68,7 @@ class Hud:
 
     def _power(self, surface: pygame.Surface, session: Session) -> None:
         """Nothing; draws the power as a bar that fills from below."""
-        power = session.power if session.draw is None else session.draw
+        power = session.strength
         pygame.draw.rect(surface, (34, 38, 45), BAR.inflate(8, 8), 0, 11)
         pygame.draw.rect(surface, (8, 9, 11), BAR, 0, 8)
         filled = round(power * BAR.height)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import hypot
 from typing import TYPE_CHECKING
 
-from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector
+from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector, speed_of
 
 if TYPE_CHECKING:
     from carom import Aim
@@ -43,6 +43,8 @@ class Preview:
 
 def preview(pool: Pool, direction: Vector) -> Preview | None:
     """What a shot in a direction would do, or None if it would meet nothing."""
+    length = hypot(*direction)
+    direction = direction[0] / length, direction[1] / length
     aim = pool.world.aim(pool.cue, direction)
     if aim is None:
         return None
@@ -65,6 +67,24 @@ def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
     way = FAR * hit.fraction
     end = (start[0] + way * direction[0], start[1] + way * direction[1])
     return Leg(start, end, pocket_at(pool, end) if hit.shape.sensor or hit.shape.name == "pocket" else None)
+
+
+def reaches(pool: Pool, shown: Preview, way: Leg, share: float, power: float) -> bool:
+    """Whether a ball gets to the end of its way after the impact, which leaves it a `share` of the cue ball's speed.
+
+    Friction takes the same from the square of a speed on every centimetre.
+    """
+    speed = speed_of(power)
+    squared = speed * speed - 2.0 * pool.world.friction * shown.aim.distance
+    needed = 2.0 * pool.world.friction * hypot(way.end[0] - way.start[0], way.end[1] - way.start[1])
+    return squared > 0.0 and squared * share * share > needed
+
+
+def scratch(pool: Pool, shown: Preview, power: float) -> str | None:
+    """The pocket that the cue ball falls into, at once or after its first impact, if it does."""
+    if shown.pocket is None and shown.cue is not None and shown.cue.pocket is not None:
+        return shown.cue.pocket if reaches(pool, shown, shown.cue, shown.aim.speed, power) else None
+    return shown.pocket
 
 
 def pocket_at(pool: Pool, place: Vector) -> str:

@@ -104,6 +104,11 @@ class Session:
         self._pointer = None
         self.angle = (self.angle + angle + pi) % (2.0 * pi) - pi
 
+    @property
+    def strength(self) -> float:
+        """The power that a shot would have now: as far as the cue is drawn, or as it was set."""
+        return self.power if self.draw is None else self.draw
+
     def preview(self) -> Preview | None:
         """What the shot would do, while the player aims."""
         if self.pool.phase is not Phase.AIM:

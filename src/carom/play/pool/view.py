@@ -13,7 +13,7 @@ from carom.play.pool.ball_art import RollingBall
 from carom.play.pool.game import Phase, Vector
 from carom.play.pool.hud import Hud
 from carom.play.pool.layout import BAD, GOLD, IVORY, SCALE, SIZE, Colour
-from carom.play.pool.preview import pocket_at
+from carom.play.pool.preview import pocket_at, scratch
 from carom.play.pool.session import Mode, Session
 from carom.play.pool.sprites import Cue, put, ring, spot
 from carom.play.pool.table_art import cloth_of, pockets, table_picture
@@ -71,7 +71,7 @@ class View:
         if Mode.IMPACTS in session.modes:
             self._draw_paths(surface, session)
         if shown is not None:
-            self._draw_aim(surface, shown)
+            self._draw_aim(surface, shown, scratch(session.pool, shown, session.strength))
         if session.pool.over:
             self._draw_falls(surface, session.pool)
         self._draw_balls(surface, session)
@@ -126,8 +126,8 @@ class View:
 
     # -- the line of aim ---------------------------------------------------------------------------------------------
 
-    def _draw_aim(self, surface: pygame.Surface, shown: Preview) -> None:
-        """Nothing; draws the line of aim, the ghost ball, where both balls go on, and the pocket that one reaches."""
+    def _draw_aim(self, surface: pygame.Surface, shown: Preview, fall: str | None) -> None:
+        """Nothing; draws the line of aim, the ghost ball, where both balls go on, and the pockets that they reach."""
         danger = shown.pocket is not None
         start, ghost = self.layout.pixel(shown.aim.start), self.layout.pixel(shown.aim.ghost)
         self._dash(surface, start, ghost, BAD if danger else IVORY, self.radius + 3.0, self.radius)
@@ -135,10 +135,10 @@ class View:
         for leg, colour in ((shown.cue, CUE_LINE), (shown.eight, EIGHT_LINE)):
             if leg is not None:
                 self._draw_leg(surface, leg, colour)
-        falls = [(shown.pocket, self._danger), (shown.cue and shown.cue.pocket, self._danger)]
-        for pocket, picture in [*falls, (shown.eight and shown.eight.pocket, self._goal)]:
-            if pocket:
-                put(surface, picture, self._pockets[pocket])
+        if shown.eight is not None and shown.eight.pocket is not None:
+            put(surface, self._goal, self._pockets[shown.eight.pocket])
+        if fall is not None:
+            put(surface, self._danger, self._pockets[fall])
 
     def _draw_leg(self, surface: pygame.Surface, leg: Leg, colour: Colour) -> None:
         """Nothing; draws a ball's way on as a thin line with a ring where it ends."""
@@ -174,6 +174,8 @@ class View:
         pool = session.pool
         for name, colour in (("cue ball", CUE_LINE), ("eight", EIGHT_LINE)):
             path = [self.layout.pixel(place) for place in pool.path(name)]
+            if pool.shots > 0:
+                put(surface, self._faint, path[0])
             for start, end in pairwise(path):
                 self._stroke_between(surface, start, end, colour)
         for mark in pool.marks:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from carom.play.pool.game import Impact, Mark, Phase, Pool
 from carom.play.pool.layout import BAD, GOLD, GOOD, IVORY, Colour
+from carom.play.pool.preview import reaches, scratch
 from carom.play.pool.session import Mode, Session
 
 if TYPE_CHECKING:
@@ -39,20 +40,21 @@ def detail(session: Session) -> str:
         return impact_line(pool.marks[-1])
     if pool.phase is Phase.ROLL:
         return "Now the cue ball must stay on the table" if pool.eight.name in pool.potted else "Hold Space to hurry"
-    return outlook(session.preview())
+    return outlook(pool, session.preview(), session.strength)
 
 
-def outlook(shown: Preview | None) -> str:
+def outlook(pool: Pool, shown: Preview | None, power: float) -> str:
     """What a shot would do."""
     if shown is None:
         return "Nothing is in the way"
-    if shown.pocket is not None:
-        return f"The cue ball would fall into the {shown.pocket}"
+    fall = scratch(pool, shown, power)
     if shown.eight is None:
-        return "The cue ball meets a cushion first"
+        after = "" if shown.pocket else "meets a cushion first" + (", then it " if fall else "")
+        return f"The cue ball {after}" + (f"falls into the {fall}" if fall else "")
     where = "meets a cushion" if shown.eight.pocket is None else f"goes to the {shown.eight.pocket}"
-    scratch = shown.cue is not None and shown.cue.pocket is not None
-    return f"The eight {where}" + (", but the cue ball may follow into a pocket" if scratch else "")
+    if not reaches(pool, shown, shown.eight, shown.aim.other_speed, power):
+        where = "stops before a cushion" if shown.eight.pocket is None else f"stops before the {shown.eight.pocket}"
+    return f"The eight {where}" + (f", but the cue ball falls into the {fall}" if fall else "")
 
 
 def ending(pool: Pool) -> str:
