@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
 import pygame
@@ -66,7 +67,8 @@ class Window:
             if event.type == pygame.QUIT:
                 game.running = False
             elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
-                pygame.display.toggle_fullscreen()
+                with suppress(pygame.error):  # some screens cannot be filled
+                    pygame.display.toggle_fullscreen()
             else:
                 game.handle(event)
         game.advance(min(seconds, LONGEST_FRAME))
