@@ -62,7 +62,7 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
             steps,
             dt,
             tell=bar.tell,
-            keep_hits=files.HITS in endings,
+            keep_hits=not set(files.HITS).isdisjoint(endings),
             follow=not set(files.STILLS).isdisjoint(endings),
             recorder=recorder,
         )
