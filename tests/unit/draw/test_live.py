@@ -108,6 +108,25 @@ def test_hits_and_tracks_are_those_of_the_last_seconds_until_they_are_forgotten(
     assert (drawn(live) == bare).all()
 
 
+@pytest.mark.parametrize("layer", [Layer.LIGHTS, Layer.RETICLES, Layer.TANGENTS, Layer.NORMALS])
+def test_what_was_just_hit_is_marked(layer: Layer) -> None:
+    world = carom.World(gravity=(0.0, -10.0))
+    world.add(carom.Segment((0.0, 1.0), (10.0, 1.0)))
+    world.add(carom.Circle((3.0, 5.0), 1.0, solid=True))
+    world.add(carom.Arc((7.0, 5.0), 1.0, 0.0, 3.0))
+    for x, y in ((5.0, 1.6), (3.0, 6.6), (7.0, 6.6)):
+        world.add(carom.Ball((x, y), radius=0.5, velocity=(0.0, -6.0)))
+    live = draw.Live(world, BOX, SIZE, layers={layer})
+    bare = drawn(live)
+    for _ in range(3):
+        live.note(world.step(1 / 60))
+    seen = drawn(live)
+    for x, y in ((5.0, 1.0), (3.0, 6.0), (7.0, 6.0)):
+        column, line = (round(place) for place in live.frame.pixel(x, y))
+        around = slice(column - 12, column + 13), slice(line - 12, line + 13)
+        assert (seen[around] != bare[around]).any(), (x, y)
+
+
 @pytest.mark.compiled
 def test_old_hits_fade_away() -> None:
     world = room()
