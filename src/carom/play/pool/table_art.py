@@ -160,7 +160,7 @@ class TableArt:
         """Nothing; paints the cushions: their slope from the nose to the rail, and the dark seam at their back."""
         depth = np.clip(self.outward / CUSHION, 0.0, 1.0)
         nose = np.exp(-(((self.outward - 0.7) / 0.55) ** 2))
-        shade = (0.90 + 0.34 * nose - 0.24 * depth) * self.lamp * (1.0 + 0.012 * self.specks)
+        shade = (0.90 + 0.34 * nose - 0.24 * depth) * self.lamp * (1.0 + 0.004 * self.specks)
         self.canvas.paint(self._box(CUSHION, 0.5), CUSHION_CLOTH, shade.astype(np.float32))
 
     def _paint_pocket_rims(self) -> None:
@@ -186,7 +186,7 @@ class TableArt:
 
     def _paint_cloth(self) -> None:
         """Nothing; paints the cloth: its weave, its lines, and the shadow that the cushions cast on it."""
-        weave = 1.0 + 0.012 * self.specks + 0.012 * noise(SIZE, (30, 30), 8)
+        weave = 1.0 + 0.004 * self.specks + 0.012 * noise(SIZE, (30, 30), 8)
         self.canvas.paint(self.inside, CLOTH, (weave * self.lamp).astype(np.float32))
         quarter, middle = self.layout.width / 4.0, self.layout.height / 2.0
         line = np.exp(-(((self.x - quarter) / 0.22) ** 2)) * self.inside

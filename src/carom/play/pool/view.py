@@ -32,6 +32,9 @@ REST, DRAWN = 7.0, 110.0
 #: Seconds that the cue is seen after a shot, and that a ball takes to sink into a pocket.
 FOLLOW, SINK = 0.3, 0.22
 
+#: Seconds: how far ahead the arrows of step mode point.
+ARROW = 0.25
+
 #: The least of its size and of its light that a ball keeps in a pocket.
 SUNK_SIZE, SUNK_LIGHT = 0.86, 0.34
 
@@ -75,6 +78,8 @@ class View:
         if session.pool.over:
             self._draw_falls(surface, session.pool)
         self._draw_balls(surface, session)
+        if Mode.STEPS in session.modes:
+            self._draw_velocities(surface, session.pool)
         self._draw_cue(surface, session)
         if Mode.IMPACTS in session.modes:
             self._draw_numbers(surface, session)
@@ -100,6 +105,21 @@ class View:
                 self._draw_shadow(surface, (x, y))
             size, light = 1.0 - (1.0 - SUNK_SIZE) * share, 1.0 - (1.0 - SUNK_LIGHT) * share
             self.balls[name].draw(surface, (x, y), size, light)
+
+    def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
+        """Nothing; draws an arrow from each ball that moves to where it would be in `ARROW` seconds."""
+        for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
+            (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
+            way = SCALE * ARROW * speed
+            if way < 1.0:
+                continue
+            start, (along_x, along_y) = self.layout.pixel((x, y)), (vx / speed, -vy / speed)
+            near, far = self.radius + 2.0, self.radius + 2.0 + way
+            end = (start[0] + far * along_x, start[1] + far * along_y)
+            stroke(surface, (start[0] + near * along_x, start[1] + near * along_y), end, colour)
+            for side in (3.5, -3.5):
+                barb = (end[0] - 8.0 * along_x - side * along_y, end[1] - 8.0 * along_y + side * along_x)
+                stroke(surface, barb, end, colour)
 
     def _draw_shadow(self, surface: pygame.Surface, place: Vector) -> None:
         """Nothing; draws a ball's shadow, which falls away from the lamp above the middle of the table."""
