@@ -8,7 +8,7 @@ import pytest
 
 import carom
 from carom.play.pool import setups
-from carom.play.pool.game import FASTEST, FIRST, SLOWEST, STEP, Impact, Phase, Pool, Setup, speed_of
+from carom.play.pool.game import FASTEST, FIRST, MOST_IMPACTS, SLOWEST, STEP, Impact, Phase, Pool, Setup, speed_of
 from carom.play.pool.preview import preview, reaches, scratch
 
 #: The eight lies in the jaws of the upper right pocket, the cue ball straight behind it.
@@ -129,6 +129,20 @@ def test_the_hardest_shots_come_to_rest_and_no_ball_is_lost() -> None:
             on_cloth = on_cloth and ball.radius * (1 - 1e-6) < y < 127 - ball.radius * (1 - 1e-6)
             near_pocket = any(dist(shape.position, ball.position) < 14.0 for shape in pool.world.shapes if shape.sensor)
             assert on_cloth or near_pocket
+
+
+@pytest.mark.compiled
+def test_a_ball_that_a_pocket_holds_comes_to_rest_within_few_impacts() -> None:
+    pool = Pool()
+    setups.setup(pool, 2)
+    shot, power = setups.winning(pool) or pytest.fail("no shot wins")
+    pool.shoot(shot.direction, power)
+    most = 0
+    while pool.moving:
+        hits = pool.step()
+        most = max(most, 0 if hits is None else len(hits))
+    assert 100 <= most <= 4 * MOST_IMPACTS
+    assert len(pool.marks) < 10
 
 
 def test_friction_takes_the_speed_at_an_even_rate() -> None:

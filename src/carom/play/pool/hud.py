@@ -28,7 +28,7 @@ BELOW = 654
 PANEL: Colour = (16, 19, 24)
 
 KEYS_LINE = "Mouse or Left, Right: aim   ·   hold Space or the left button, let go: shoot   ·   Up, Down: power"
-MODES_LINE = "C: impacts   ·   S: step by step   ·   R: again   ·   F1: help"
+MODES_LINE = "C: collision mode   ·   S: step mode   ·   R: again   ·   F1: help"
 
 
 class Hud:
@@ -124,7 +124,7 @@ class Hud:
 
 
 #: What the switches are called where they are on.
-MODE_NAMES = {Mode.STEPS: "step by step", Mode.IMPACTS: "impacts", Mode.MUTE: "no sound"}
+MODE_NAMES = {Mode.STEPS: "step mode", Mode.IMPACTS: "collision mode", Mode.MUTE: "no sound"}
 
 
 def _panel(size: tuple[int, int], colour: Colour) -> pygame.Surface:

@@ -9,6 +9,7 @@ import numpy as np
 
 import carom
 from carom.play.pool.game import FIRST, SHAPES, Phase, Pool, Setup, Vector
+from carom.play.pool.preview import Preview, preview, reaches, scratch
 
 #: cm: balls of a random position lie at least so far from the cushions, and from each other.
 FROM_CUSHIONS, APART = 14.0, 35.0
@@ -65,7 +66,20 @@ def wins(pool: Pool, direction: Vector, power: float) -> bool:
 
 def winning(pool: Pool) -> tuple[Shot, float] | None:
     """A shot and a power that win from where the balls lie, or None if none of those tried does."""
-    return next(((shot, power) for shot in lines(pool) for power in POWERS if wins(pool, shot.direction, power)), None)
+    for shot in lines(pool):
+        shown = preview(pool, shot.direction)
+        for power in POWERS:
+            if shown is not None and is_promising(pool, shown, power) and wins(pool, shot.direction, power):
+                return shot, power
+    return None
+
+
+def is_promising(pool: Pool, shown: Preview, power: float) -> bool:
+    """Whether the eight gets to a pocket, and the cue ball to none before its second impact."""
+    eight = shown.eight
+    if eight is None or eight.pocket is None or scratch(pool, shown, power) is not None:
+        return False
+    return reaches(pool, shown, eight, shown.aim.other_speed, power)
 
 
 def setup(pool: Pool, number: int, seed: int = 0) -> Setup:
