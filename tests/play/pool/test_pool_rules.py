@@ -63,6 +63,29 @@ def test_the_cue_ball_in_a_pocket_loses_at_once() -> None:
     assert [*pool.potted] == ["cue ball"]
 
 
+def test_the_same_pocket_decides_game_after_game() -> None:
+    pool = Pool(DANGER)
+    for _ in range(2):
+        pool.place(DANGER)
+        pool.shoot(DIAGONAL, 0.4)
+        for _ in range(40):
+            pool.step()
+        assert pool.phase is Phase.LOST
+        assert pool.potted["cue ball"].pocket == "upper right pocket"
+    pool.place(EASY)
+    pool.shoot(DIAGONAL, 0.3)
+    play_out(pool)
+    assert pool.phase is Phase.WON
+
+
+def test_the_path_of_a_ball_that_rolls_in_untouched_ends_where_it_lies() -> None:
+    pool = Pool(EASY)
+    pool.shoot(DIAGONAL, 0.3)
+    play_out(pool)
+    pool.marks[:] = [mark for mark in pool.marks if mark.impact is Impact.BALLS]
+    assert pool.path("eight")[-1] == pool.eight.position
+
+
 @pytest.mark.compiled
 def test_both_balls_in_pockets_lose() -> None:
     pool = Pool(GREEDY)
@@ -310,11 +333,12 @@ def test_what_goes_on_inside_a_pocket_is_not_marked() -> None:
 
 def test_balls_roll_on_to_the_next_impact_and_no_further() -> None:
     pool = Pool(Setup(cue=(232.0, 105.0), eight=EASY.eight))
+    pool.world.step(0.5)
     pool.shoot(DIAGONAL, 0.3)
     steps = pool.to_impact()
     assert len(pool.marks) == 1
     assert pool.marks[0].time == pytest.approx(steps * STEP, abs=STEP)
-    assert pool.world.time == pytest.approx(steps * STEP)
+    assert pool.age == pytest.approx(steps * STEP)
     assert pool.to_impact(most=2) == 2
 
 

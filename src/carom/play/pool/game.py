@@ -199,7 +199,7 @@ class Pool:
         self.marks.append(Mark(len(self.marks) + 1, impact, time, tuple(balls), (x, y), abs(hit.impulse)))
 
     def _fell(self, ball: carom.Ball) -> bool:
-        """Whether a ball has met the inside of a pocket since the shot, or lies in one."""
+        """Whether a ball lies in a pocket whose inside it has met since the shot."""
         met = any(mark.impact is Impact.POCKET and mark.balls[0][0] == ball.name for mark in self.marks)
         return met and ball.name in self.potted
 
@@ -213,7 +213,7 @@ class Pool:
         """The corners of a ball's way since the shot: where it lay, where it was at each impact, and where it is."""
         ball, start = (self.cue, self.shot_from[0]) if name == self.cue.name else (self.eight, self.shot_from[1])
         corners = [place for mark in self.marks for who, place in mark.balls if who == name]
-        end = [] if name in self.potted and corners else [ball.position]
+        end = [] if self._fell(ball) else [ball.position]
         return [start, *corners, *end]
 
     def digest(self) -> str:
