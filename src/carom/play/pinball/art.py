@@ -9,10 +9,10 @@ import pygame
 
 import carom
 from carom.play.pinball import art_sprites, lamps
-from carom.play.pinball.art_apron import paint_apron
+from carom.play.pinball.art_apron import paint_apron, paint_trough
 from carom.play.pinball.art_ground import paint_print, sky
 from carom.play.pinball.art_lamps import Light, lenses, light_of, paint_unlit
-from carom.play.pinball.art_paint import Canvas, Spot, glow
+from carom.play.pinball.art_paint import TEAL, Canvas, Spot, glow
 from carom.play.pinball.art_parts import band_of, paint_parts
 
 #: Pixels per unit, and what of the world the table's picture shows: the field, the cabinet round it.
@@ -42,6 +42,7 @@ class Art:
         ball: A ball, and its `shadow`.
         tail: Lights behind a fast ball.
         spark: The light of an impact.
+        kick: The light of a slingshot that kicks, in the middle of one of `slingshots`.
         plunger: The plunger, its tip in the middle of the upper edge.
     """
 
@@ -50,6 +51,7 @@ class Art:
         found = lenses(world)
         paint_print(ground)
         paint_unlit(ground, found)
+        paint_trough(ground)
         paint_parts(ground, world)
         self.ground = ground.finished().convert()
         self.lights: dict[str, Light] = {name: light_of(ground, lens) for name, lens in found.items()}
@@ -79,6 +81,11 @@ class Art:
         self.ball = art_sprites.ball(radius)
         self.shadow = art_sprites.shadow(radius)
         self.tail = art_sprites.trail(round(radius))
+        self.slingshots: dict[str, tuple[float, float]] = {
+            name: pixel(middle_of(box_of(world, name)))
+            for name in ("left slingshot's band", "right slingshot's band")
+        }
+        self.kick = glow(round(3.0 * SCALE), TEAL, 0.8)
         self.spark = glow(round(1.1 * SCALE), (255, 236, 190), 0.9)
         self.plunger = art_sprites.plunger(SCALE)
 
@@ -127,3 +134,8 @@ def box_of(world: carom.World, name: str) -> carom.Aabb:
     boxes = [shape.aabb for shape in world.shapes if shape.name == name]
     sides = np.array([(box.left, box.bottom, -box.right, -box.top) for box in boxes]).min(axis=0)
     return carom.Aabb(float(sides[0]), float(sides[1]), -float(sides[2]), -float(sides[3]))
+
+
+def middle_of(box: carom.Aabb) -> Spot:
+    """The middle of a box."""
+    return 0.5 * (box.left + box.right), 0.5 * (box.bottom + box.top)

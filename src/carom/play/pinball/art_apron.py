@@ -37,6 +37,11 @@ def paint_apron(canvas: Canvas, shapes: Iterable[carom.Shape]) -> None:
         canvas.stroke([(4.9 + side * 2.75, 0.2), (4.9 + side * 4.1, 0.2)], 0.07, CORAL)
 
 
+def paint_trough(canvas: Canvas) -> None:
+    """Nothing; darkens the ground below the apron."""
+    canvas.fill([(0.0, DIP), (18.6, DIP), (18.6, FLOOR), (0.0, FLOOR)], (*NIGHT, 215))
+
+
 def _dip(middle: float) -> list[Spot]:
     """The apron's edge, lower in the middle, where balls are to be seen as they drain."""
     return [(middle - 5.2, SHOULDER), (middle - 3.6, DIP), (middle + 3.6, DIP), (middle + 5.2, SHOULDER)]
