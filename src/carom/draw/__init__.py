@@ -2,12 +2,15 @@
 
 `picture_of` decides what a picture of a world shows, `picture_at` what one of a recorded frame does; `svg` and `png`
 write them. `Trace` follows a run for a picture of it. `Film` draws a recording frame by frame, `write_film` makes it a
-GIF or an MP4, `replay_page` a page that plays it.
+GIF or an MP4, `replay_page` a page that plays it. `Live` draws a world that goes on into a window's surface;
+`partition_of` says how its broad phase divides the room.
 """
 
+from carom.draw.cells import Cell, Partition, partition_of
 from carom.draw.film import Film
 from carom.draw.footage import picture_at
 from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.live import Live
 from carom.draw.movie import write_film
 from carom.draw.page import replay_page
 from carom.draw.painter import Lettering, Painter, Style
@@ -19,16 +22,20 @@ from carom.draw.trace import Trace
 
 __all__ = [
     "DEFAULT_LAYERS",
+    "Cell",
     "Film",
     "Layer",
     "Lettering",
+    "Live",
     "Painter",
+    "Partition",
     "Picture",
     "RasterPainter",
     "Style",
     "SvgPainter",
     "ThemeName",
     "Trace",
+    "partition_of",
     "picture_at",
     "picture_of",
     "png",

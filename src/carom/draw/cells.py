@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from carom.draw.marks import box_mark
 from carom.draw.painter import Style
+from carom.scene.capture import described_world
+from carom.scene.scene import Scene
 from carom.shapes.aabb import Aabb
 from carom.world.layout import GRID, NEEDS_PAIRS, NO_CHILD, QUADTREE
 from carom.world.shape_index import FIXED, build_index
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
     from carom.draw.painter import Painter
     from carom.rows import Row, Rows
-    from carom.scene.scene import Scene
+    from carom.world.world import World
 
 #: The edge of a cell, and the opacities of the least and of the fullest cells' areas.
 EDGE = Style("cell", width=0.8, opacity=0.45)
@@ -31,8 +33,34 @@ class Cell:
     shapes: int
 
 
+@dataclass(frozen=True, slots=True)
+class Partition:
+    """How the broad phase divides the room among the shapes at rest.
+
+    Attributes:
+        nodes: How many nodes a quadtree has, leaves among them; 0 for a grid and for brute force.
+        leaves: How many leaves, or cells of a grid, there are, empty ones among them.
+        cells: Those that hold shapes.
+    """
+
+    nodes: int
+    leaves: int
+    cells: tuple[Cell, ...]
+
+
+def partition_of(world: World) -> Partition:
+    """How the broad phase of `world`, as it is set now, divides the room, for balls as large as the largest."""
+    scene = Scene(world=described_world(world), shapes=list(world.shapes))
+    return partition(scene, max((ball.radius for ball in world.balls), default=0.0))
+
+
 def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:
     """The cells that hold shapes, for balls of radius up to `reach`; none where the broad phase is brute force."""
+    return partition(scene, reach).cells
+
+
+def partition(scene: Scene, reach: float) -> Partition:
+    """How the broad phase of a scene's world divides the room, for balls of radius up to `reach`."""
     room = scene.model_copy(update={"balls": ()}).build()._room
     room.prepare()
     state = room.states[0]
@@ -43,8 +71,11 @@ def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:
     entry = room.index[FIXED]
     cells = room.cells[int(entry["cells_begin"]) : int(entry["cells_end"])]
     if state["broad_phase"] == GRID:
-        return tuple(grid_cells(entry, cells))
-    return tuple(tree_cells(entry, cells)) if state["broad_phase"] == QUADTREE else ()
+        return Partition(0, len(cells), tuple(grid_cells(entry, cells)))
+    if state["broad_phase"] == QUADTREE:
+        leaves = int((cells["child"] == NO_CHILD).sum())
+        return Partition(len(cells), leaves, tuple(tree_cells(entry, cells)))
+    return Partition(0, 0, ())
 
 
 def grid_cells(entry: Row, cells: Rows) -> Iterator[Cell]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.cells import cells_of, draw_cells
+from carom.draw.cells import draw_cells, partition_of
 from carom.draw.frame import MARGIN, Frame
 from carom.draw.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
 from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
@@ -33,8 +33,6 @@ from carom.draw.theme import BALL_INKS, ThemeName
 from carom.draw.trace import MOST_FOLLOWED
 from carom.draw.tracks import BANDS, thinned
 from carom.record.members import names_in, parts
-from carom.scene.capture import described_world
-from carom.scene.scene import Scene
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
 
@@ -89,6 +87,13 @@ class Picture:
         """Draw the paper, the stage, and all that stays as it is."""
         painter.layer("ground")
         self._draw_ground(painter)
+        self.draw_still_shapes(painter)
+        painter.layer("panel")
+        if self.frame.panel:
+            self.panel.draw_still(painter, self.frame, MARGIN)
+
+    def draw_still_shapes(self, painter: Painter) -> None:
+        """Draw what stays of the world itself."""
         if self._begun(painter, Layer.CELLS):
             draw_cells(painter, self.cells, self.frame.stage)
         if self._begun(painter, Layer.BOXES):
@@ -101,9 +106,6 @@ class Picture:
             draw_shapes(painter, self, self.still, sensors=False)
         if self._begun(painter, Layer.NAMES):
             draw_shape_names(painter, self)
-        painter.layer("panel")
-        if self.frame.panel:
-            self.panel.draw_still(painter, self.frame, MARGIN)
 
     def draw_moving(self, painter: Painter) -> None:
         """Draw the moment."""
@@ -191,8 +193,7 @@ def picture_of(
     shapes = parts(world.shapes)
     cells: tuple[Cell, ...] = ()
     if Layer.CELLS in layers:
-        scene = Scene(world=described_world(world), shapes=list(world.shapes))
-        cells = cells_of(scene, float(radii.max(initial=0.0)))
+        cells = partition_of(world).cells
     still = drawn_of(shapes, [shape.id or 0 for shape in shapes])
     bounces, tracks = (trace.bounces if trace is not None else 0), moment.tracks
     picture = composed(

@@ -39,7 +39,9 @@ LARGEST_KEPT, MOST_KEPT = 96, 4000
 #: Small circles stand at places of a grid that is so many times finer than the pixels, to be drawn once for many.
 FINER_PLACES = 4
 #: What a quick painter draws as pygame does: lines up to so many pixels wide, and areas with up to so many corners.
-QUICK_WIDTH, QUICK_CORNERS = 2.0, 4
+QUICK_WIDTH, QUICK_CORNERS = 3.0, 4
+#: Pixels: how far apart the corners are of the line that a quick painter draws an arc as.
+QUICK_STEP = 5.0
 #: Letters are drawn so many times larger and made smaller, for fonts put small letters at whole pixels, unevenly apart.
 FINER_LETTERS = 4
 #: The ink that faint lines are mixed with.
@@ -84,7 +86,7 @@ class RasterPainter:
     def segment(self, start: Vector, end: Vector, style: Style) -> None:
         """Draw a straight line."""
         a, b = self._pixel(*start), self._pixel(*end)
-        if self.quick and style.stroke is not None and style.opacity == 1.0 and style.width <= QUICK_WIDTH:
+        if style.stroke is not None and self._is_quick(style):
             for piece in dashes(a, b, style.dash, self._zoom):
                 self._quick_line(piece, style, style.stroke)
             return
@@ -116,6 +118,11 @@ class RasterPainter:
         """Draw an arc."""
         place, pixels = self._pixel(*center), radius * self._frame.scale * self._zoom
         sweep = (end_angle - start_angle) % (2.0 * pi)
+        if style.stroke is not None and not style.dash and self._is_quick(style):
+            angles = start_angle + np.linspace(0.0, sweep, max(3, int(pixels * sweep / QUICK_STEP)))
+            xs, ys = place[0] + pixels * np.cos(angles), place[1] - pixels * np.sin(angles)
+            self._quick_line(list(zip(xs.tolist(), ys.tolist(), strict=True)), style, style.stroke)
+            return
 
         def made(colour: Colour, width: float) -> list[Patch]:
             pieces = arc_dashes(place, pixels, start_angle, sweep, style.dash, self._zoom)
@@ -236,6 +243,10 @@ class RasterPainter:
             found = polygon_patches(places, colour, self.surface.get_size())
             self._keep(key, found)
         self._blit(found, opacity)
+
+    def _is_quick(self, style: Style) -> bool:
+        """Whether a line of some style is to be drawn as pygame does."""
+        return self.quick and style.opacity == 1.0 and style.width <= QUICK_WIDTH
 
     def _quick_line(self, places: Sequence[Vector], style: Style, ink: str) -> None:
         """Draw a line as pygame does: of whole pixels' width, in the colour that it has on the stage."""

@@ -1,0 +1,214 @@
+"""A world that goes on, drawn into surfaces of pygame's frame by frame, as games and demonstrations need it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.checks import whole
+from carom.draw.cells import partition_of
+from carom.draw.frame import LEAST_SIDE, MOST_SIDE, Frame
+from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
+from carom.draw.looks import LOOKS, OFF, ends_of, material_of
+from carom.draw.moment import Balls, Drawn, Measures, Moment
+from carom.draw.panel import Panel
+from carom.draw.picture import Picture, weight_for
+from carom.draw.raster import RasterPainter
+from carom.draw.theme import BALL_INKS, ThemeName
+from carom.draw.wake import Wake
+from carom.record.members import names_in, parts
+from carom.rows import Motion
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from carom.rows import Rows
+    from carom.shapes.aabb import Aabb
+    from carom.shapes.shape import Shape
+    from carom.world.world import World
+
+#: Seconds of tracks and of hits, and in how many bands tracks fade.
+SPAN, LIVE_BANDS = 1.5, 4
+#: The ink of balls that sleep.
+ASLEEP = "off"
+#: What is left, a frame later, of the greatest impulse and speeds, which sizes of marks are relative to.
+FADING = 0.99
+
+
+class Live:
+    """Draws a world as it stands, with the tracks and hits of the steps that it was told of.
+
+    What stays is drawn once and kept, the rest anew each time: shapes that move, those in `changing`, which are
+    switched on and off meanwhile, and balls; those that sleep are grey.
+
+    Args:
+        world: The world.
+        box: The part of it to show, in its units.
+        size: Width and height in pixels; the box is shown as large as fits, in the middle.
+        layers: What to show; can be set at any time.
+        theme: Its colours.
+        changing: Shapes at rest that are switched on and off.
+
+    Raises:
+        MissingExtra: pygame is not installed.
+        InvalidArgument: There is no such size or layer.
+
+    >>> import carom, pygame
+    >>> from carom import draw
+    >>> world = carom.scenes.toy().build()
+    >>> live = draw.Live(world, carom.Aabb(-1, -1, 33, 25), (680, 520))
+    >>> surface = pygame.Surface((680, 520))
+    >>> for _ in range(3):
+    ...     live.note(world.step(1 / 60))
+    ...     live.draw(surface)
+    """
+
+    def __init__(
+        self,
+        world: World,
+        box: Aabb,
+        size: tuple[int, int],
+        *,
+        layers: Collection[Layer] = DEFAULT_LAYERS,
+        theme: ThemeName = ThemeName.DARK,
+        changing: Collection[Shape] = (),
+    ) -> None:
+        for side in size:
+            whole("size", side, LEAST_SIDE, MOST_SIDE)
+        self.frame = frame_around(box, size)
+        self._world = world
+        self._wake = Wake(world, SPAN)
+        self._painter = RasterPainter(self.frame, theme)
+        self._own = self._painter.surface
+        self._changing = frozenset(shape.id for shape in changing)
+        self._layers = layers_of(layers)
+        self._ids = np.zeros(0, np.int64)
+        self._measures = Measures(0.0, 0.0, 0.0)
+        self.refresh()
+
+    @property
+    def layers(self) -> frozenset[Layer]:
+        """What is shown."""
+        return self._layers
+
+    @layers.setter
+    def layers(self, layers: Collection[Layer]) -> None:
+        self._layers = layers_of(layers)
+        self.refresh()
+
+    def note(self, hits: Rows) -> None:
+        """Nothing; remembers the `hits` of a step that was just made, and where the balls are now."""
+        self._wake.note(hits)
+
+    def forget(self) -> None:
+        """Nothing; forgets tracks and hits."""
+        self._wake.forget()
+
+    def refresh(self) -> None:
+        """Nothing; looks anew at what stays as it is. To be called when shapes or the broad phase were changed."""
+        shapes = parts(self._world.shapes)
+        ends = ends_of(shapes)
+        materials = [(shape, material_of(shape, ends)) for shape in shapes]
+        ordered = sorted(materials, key=lambda pair: LOOKS.index(pair[1]))
+        self._moving = [(shape, material) for shape, material in ordered if self._changes(shape)]
+        still = [drawn(shape, material) for shape, material in ordered if not self._changes(shape)]
+        self._ids = np.zeros(0, np.int64)
+        balls = self._balls()
+        self._picture = Picture(
+            Panel("", "", ()),
+            self.frame,
+            self._layers,
+            tuple(still),
+            Moment(self._world.time, balls),
+            {},
+            names_in(self._world) if Layer.NAMES in self._layers else {},
+            partition_of(self._world).cells if Layer.CELLS in self._layers else (),
+            self._measures,
+            weight_for(balls, self.frame),
+            of_run=True,
+            bands=LIVE_BANDS,
+        )
+        self._kept: Any = None
+
+    def _changes(self, shape: Shape) -> bool:
+        """Whether a shape is to be drawn anew each time."""
+        return shape.motion == Motion.KINEMATIC or shape.id in self._changing
+
+    def draw(self, surface: Any) -> None:
+        """Nothing; draws the world into a surface of the size that was given."""
+        if self._kept is None:
+            self._kept = self._own.copy()
+            self.draw_still(self._kept)
+        surface.blit(self._kept, (0, 0))
+        self.draw_moving(surface)
+
+    def draw_still(self, surface: Any, *, ground: bool = True) -> None:
+        """Nothing; draws what stays, over the paper, or over what is there where `ground` is False."""
+        self._painter.surface, self._painter.quick = surface, False
+        picture = self._picture
+        if ground:
+            picture.draw_still(self._painter)
+        else:
+            picture.draw_still_shapes(self._painter)
+
+    def draw_moving(self, surface: Any) -> None:
+        """Nothing; draws what moves, over what is there."""
+        self._painter.surface, self._painter.quick = surface, True
+        balls = self._balls()
+        tracks = self._wake.tracks() if Layer.TRACKS in self._layers else ()
+        hits, latest = self._wake.hits, self._wake.latest
+        self._measures = slowly(self._measures, Measures.of(hits, balls.velocities))
+        moment = Moment(
+            self._world.time,
+            balls,
+            tuple(drawn(shape, material) for shape, material in self._moving),
+            tracks,
+            max(0.0, self._wake.since),
+            hits,
+            latest,
+        )
+        replace(self._picture, moment=moment, inks=self._inks(balls), measures=self._measures).draw_moving(
+            self._painter
+        )
+
+    def _balls(self) -> Balls:
+        """The balls as they stand; their radii are asked for when there are other balls."""
+        balls = self._world.balls
+        if not np.array_equal(balls.id, self._ids):
+            self._ids = balls.id.copy()
+            # One by one: asking for the column of all of them would wake the balls that sleep.
+            self._radii = np.array([ball.radius for ball in balls])
+        return Balls(balls.position.copy(), self._radii, self._ids, balls.velocity.copy())
+
+    def _inks(self, balls: Balls) -> dict[int, str]:
+        """The inks of balls that have one of their own."""
+        followed = [ball for ball in self._wake.followed or balls.ids.tolist() if ball]
+        inks = {ball: BALL_INKS[ball % len(BALL_INKS)] for ball in followed}
+        if self._world.statistics.sleeping:
+            inks |= {ball.id or 0: ASLEEP for ball in self._world.balls if ball.asleep}
+        return inks
+
+
+def frame_around(box: Aabb, size: tuple[int, int]) -> Frame:
+    """The frame that shows `box` as large as fits in a picture of a size, and nothing else."""
+    width, height = size
+    scale = min(width / (box.right - box.left), height / (box.top - box.bottom))
+    left = 0.5 * (width - (box.right - box.left) * scale)
+    top = 0.5 * (height - (box.top - box.bottom) * scale)
+    return Frame(float(width), float(height), box, scale, left, top, panel=False)
+
+
+def drawn(shape: Shape, material: Any) -> Drawn:
+    """A shape as it is to be drawn now."""
+    return Drawn(shape, material if shape.can_collide or shape.sensor else OFF, shape.id or 0)
+
+
+def slowly(before: Measures, now: Measures) -> Measures:
+    """What sizes are relative to now, when they were relative to something else a frame before."""
+    return Measures(
+        max(now.impulse, FADING * before.impulse),
+        max(now.impact_speed, FADING * before.impact_speed),
+        max(now.speed, FADING * before.speed),
+    )

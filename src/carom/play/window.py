@@ -1,0 +1,134 @@
+"""The window that a game is played in, and its loop: events, time, picture, sixty times a second."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from contextlib import suppress
+from typing import TYPE_CHECKING, Protocol
+
+import pygame
+
+import carom
+from carom.play.meter import FrameMeter
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+#: Frames a second.
+RATE = 60
+#: What SDL opens where there is no screen, unless it was asked for by name.
+BLIND = {"offscreen", "dummy", "evdev"}
+#: Seconds: a frame that took longer, as when the window was moved, counts as so long.
+LONGEST_FRAME = 0.25
+
+
+class NoDisplay(carom.CaromError):
+    """There is no screen to open a window on."""
+
+
+class Game(Protocol):
+    """What a window shows.
+
+    Attributes:
+        title: The window's title.
+        size: Width and height of the picture in pixels; the window may be larger or smaller.
+        running: False once the game wants to be closed.
+    """
+
+    title: str
+    size: tuple[int, int]
+    running: bool
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Nothing; takes one event. Places of the mouse are in the picture's pixels."""
+
+    def advance(self, seconds: float) -> None:
+        """Nothing; takes note that so much time went by since the last frame."""
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Nothing; draws the frame into a surface of `size` pixels."""
+
+
+class Window:
+    """A window with a game in it. Raises `NoDisplay` where there is no screen."""
+
+    def __init__(self, game: Game) -> None:
+        self._game = game
+        self.meter = FrameMeter(RATE)
+        self.surface = open_screen(game.size)
+        pygame.display.set_caption(game.title)
+
+    def frame(self, seconds: float) -> None:
+        """Nothing; one frame, `seconds` after the last one."""
+        game = self._game
+        self.meter.begin()
+        for event in pygame.event.get():
+            if event.type == pygame.QUIT:
+                game.running = False
+            elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
+                with suppress(pygame.error):  # some screens cannot be filled
+                    pygame.display.toggle_fullscreen()
+            else:
+                game.handle(event)
+        game.advance(min(seconds, LONGEST_FRAME))
+        game.draw(self.surface)
+        self.meter.end()
+        pygame.display.flip()
+
+    def run(self, seconds: float | None = None) -> FrameMeter:
+        """The times of all frames, once the game has been closed or `seconds` are over."""
+        ticking, left = pygame.time.Clock(), seconds
+        passed = 1.0 / RATE
+        while self._game.running and (left is None or left > 0.0):
+            self.frame(passed)
+            passed = ticking.tick(RATE) / 1e3
+            left = None if left is None else left - passed
+        return self.meter
+
+
+def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
+    """The times of all frames of a game, which is made once there is a screen, and played until it ends."""
+    try:
+        check_screen()
+        return Window(game()).run(seconds)
+    finally:
+        pygame.quit()
+
+
+def check_screen() -> None:
+    """Nothing; raises `NoDisplay` where there is no screen, unless a driver without one was asked for by name."""
+    try:
+        pygame.display.init()
+    except pygame.error as error:
+        raise NoDisplay(f"no window can be opened: {error}") from None
+    if pygame.display.get_driver() in BLIND and not os.environ.get("SDL_VIDEODRIVER"):
+        raise NoDisplay("no window can be opened: there is no screen (is DISPLAY set?)")
+
+
+def open_screen(size: tuple[int, int]) -> pygame.Surface:
+    """The surface of a window that shows a picture of `size` pixels, scaled to whatever size the window has."""
+    check_screen()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # it warns of slow renderers, which the frame rate shows
+            return pygame.display.set_mode(size, pygame.SCALED | pygame.RESIZABLE)
+    except pygame.error as error:
+        raise NoDisplay(f"no window of {size[0]} by {size[1]} pixels can be opened: {error}") from None
+
+
+class Ticker:
+    """Makes steps of one length of frames of any length."""
+
+    def __init__(self, step: float, most: float = 0.1) -> None:
+        self.step = step
+        self._most = most
+        self._left = 0.0
+
+    def due(self, seconds: float) -> int:
+        """How many steps to make now that `seconds` went by; of a longer time than `most` the rest is let go."""
+        self._left = min(self._left + seconds, self._most)
+        # A thousandth of a step of grace, so that frames of exactly one step do not make now none, now two.
+        steps = int(self._left / self.step + 1e-3)
+        self._left -= steps * self.step
+        return steps
