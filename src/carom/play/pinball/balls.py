@@ -1,4 +1,4 @@
-"""The balls of a game: served, launched, drained, freed when they rest, and taken when they stray; booked in a ledger."""
+"""The balls of a game: served, drained, freed when they rest, taken when they stray, and booked in a ledger."""
 
 from __future__ import annotations
 

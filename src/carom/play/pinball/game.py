@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from enum import StrEnum
 from random import Random
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 import carom
 from carom.play.pinball.balls import LOOK, Balls, BallState
+from carom.play.pinball.controls import Control, Phase
 from carom.play.pinball.entry import Entry
 from carom.play.pinball.events import Event, EventKind
 from carom.play.pinball.lamps import LampState
@@ -36,28 +36,6 @@ UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 GENTLE = 1.5
 #: Steps between two looks at the spinner.
 SPIN_LOOK = 12
-
-
-class Control(StrEnum):
-    """What a player presses."""
-
-    LEFT = "left"
-    RIGHT = "right"
-    PLUNGER = "plunger"
-    NUDGE_LEFT = "nudge left"
-    NUDGE_RIGHT = "nudge right"
-    NUDGE_UP = "nudge up"
-    START = "start"
-
-
-class Phase(StrEnum):
-    """What the game is about."""
-
-    ATTRACT = "attract"
-    PLAY = "play"
-    BONUS = "bonus"
-    ENTRY = "entry"
-    OVER = "over"
 
 
 class Pinball:

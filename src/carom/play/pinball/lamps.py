@@ -3,7 +3,7 @@
 Lamps are called as the shapes that they belong to: "left bumper", "right bumper", "low bumper"; "left lane", "middle
 lane", "right lane"; "left inlane", "right inlane", "left outlane", "right outlane"; "left orbit", "right orbit"; "left
 target", "right target"; "drop target 1", "drop target 2", "drop target 3". Others belong to none: "2x", "3x", "4x",
-"5x", "shoot again", "multiball", "jackpot", "tilt".
+"5x", "shoot again", "multiball", "jackpot", "tilt". Where the shapes are is in `Table.places`.
 """
 
 from __future__ import annotations

@@ -66,6 +66,13 @@ class Flipper:
         """Whether it stands on its upper stop."""
         return self.angle >= self.reach - 1e-9
 
+    def put(self, angle: float, pressed: bool) -> None:
+        """Nothing; has it stand at an angle from its rest, moving as its button says."""
+        if self.angle != angle:
+            self.shape.rotate(self.shape.pivot, self.up * angle)
+        self.pressed = not pressed
+        self.press(pressed)
+
     def press(self, down: bool) -> bool:
         """Whether it starts up; sets it swinging up, or back."""
         if down == self.pressed:
@@ -81,11 +88,12 @@ class Table:
     def __init__(self) -> None:
         self.world = carom.scenes.pinball().build()
         self.world.substeps = 1
+        self.world.broad_phase = "brute"  # the quickest for so few shapes of which some always move
         for ball in list(self.world.balls):
             self.world.remove(ball)
         #: Every part by the id of its shape, as hits name it.
         self.parts: dict[int, Part] = {}
-        #: Where the parts with lamps are.
+        #: Where the parts with lamps are, by the names of the lamps.
         self.places: dict[str, tuple[float, float]] = {}
         named: dict[str, list[carom.Shape]] = {}
         for name, shape in self._shapes():
