@@ -17,6 +17,10 @@ class Control(StrEnum):
     START = "start"
 
 
+#: The velocity that a nudge adds to every ball on the field.
+NUDGES = {Control.NUDGE_LEFT: (-4.0, 1.5), Control.NUDGE_RIGHT: (4.0, 1.5), Control.NUDGE_UP: (0.0, 4.0)}
+
+
 class Phase(StrEnum):
     """What the game is about."""
 

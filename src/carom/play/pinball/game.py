@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import sqrt
 from random import Random
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 
 import carom
 from carom.play.pinball.balls import LOOK, Balls, BallState
-from carom.play.pinball.controls import Control, Phase
+from carom.play.pinball.controls import NUDGES, Control, Phase
 from carom.play.pinball.entry import Entry
 from carom.play.pinball.events import Event, EventKind
 from carom.play.pinball.lamps import LampState
@@ -24,13 +25,12 @@ BALLS = 3
 
 #: Steps: until the plunger is drawn wholly, before a ball is launched by itself, between two steps of the bonus, and
 #: how long the game's end and the choice of initials last when nobody presses anything.
-PULL_TIME, AUTO_WAIT, BONUS_STEP, OVER_TIME, ENTRY_TIME = 576, 288, 24, 6 * RATE, 60 * RATE
+PULL_TIME, AUTO_WAIT, BONUS_STEP, OVER_TIME, ENTRY_TIME = 720, 288, 24, 6 * RATE, 60 * RATE
 #: The speed that the plunger gives: drawn wholly, and by itself, with so much of chance added.
-PLUNGER_SPEED, AUTO_SPEED, AUTO_CHANCE = 66.0, 58.0, 5.0
+PLUNGER_SPEED, AUTO_SPEED, AUTO_CHANCE = 66.0, 56.5, 6.5
 #: Bonus points paid in a step of counting.
 BONUS_POINTS = 250
-#: A nudge adds a velocity, and unrest that calms by the second; more unrest than that earns a warning, the third tilts.
-NUDGES = {"nudge left": (-4.0, 1.5), "nudge right": (4.0, 1.5), "nudge up": (0.0, 4.0)}
+#: A nudge adds unrest, which calms by the second; more unrest than that earns a warning, the third time a tilt.
 UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
@@ -69,6 +69,7 @@ class Pinball:
             Phase.OVER: self._tick_over,
         }
         self._steps = 0
+        self._kicking = False
         self._demo: Player | None = None
         self._begin_demo()
 
@@ -274,7 +275,7 @@ class Pinball:
         if down:
             self._pulling = True
         elif self._pulling:
-            self._launch(PLUNGER_SPEED * self.plunger_pull)
+            self._launch(PLUNGER_SPEED * sqrt(self.plunger_pull))
             self._pulling = False
             self.plunger_pull = 0.0
 
@@ -282,6 +283,7 @@ class Pinball:
         """Nothing; has the plunger kick with a speed in this step."""
         state = self._balls.on_plunger()
         self.table.plunger.kick = speed
+        self._kicking = True
         if state is not None:
             self._events.append(Event(EventKind.LAUNCH, "plunger", state.ball.position, speed))
 
@@ -289,7 +291,7 @@ class Pinball:
         """Nothing; pushes the table, which moves every ball on the field; too much of it brings warnings and tilt."""
         if self.tilted:
             return
-        along, up = NUDGES[control.value]
+        along, up = NUDGES[control]
         for state in self._balls.in_play:
             vx, vy = state.ball.velocity
             state.ball.velocity = (vx + along, vy + up)
@@ -317,7 +319,9 @@ class Pinball:
     def _tick_play(self) -> None:
         """Nothing; a step in which balls roll."""
         hits = self.world.step(STEP)
-        self.table.plunger.kick = 0.0
+        if self._kicking:
+            self.table.plunger.kick = 0.0
+            self._kicking = False
         if len(hits):
             self._hear(hits)
         entered, strays = self._balls.watch()

@@ -7,9 +7,10 @@ from math import hypot, inf
 from random import Random
 from typing import TYPE_CHECKING
 
-from carom.play.pinball.controls import Control, Phase
+from carom.play.pinball.controls import NUDGES, Control, Phase
 from carom.play.pinball.foresight import Foresight, Presses, State, sweeps
-from carom.play.pinball.table import LANE_WALL
+from carom.play.pinball.lamps import LampState
+from carom.play.pinball.table import LANE_WALL, MIDDLE
 
 if TYPE_CHECKING:
     from carom.play.pinball.game import Pinball
@@ -22,8 +23,11 @@ DECIDE, AHEAD, EVERY, FLIP, OUTCOME, RAISE, RELEASE, LATE = 4, 192, 6, 60, 336, 
 LOW, RISING = 14.0, 8.0
 #: A ball slower than this lies still, in units/s.
 STILL = 4.0
-#: The plunger is drawn for so many steps, with so much of chance.
-PULL, PULL_CHANCE = 430, 146
+#: For how many steps the plunger is drawn for a lane, with so much of chance.
+PULLS, PULL_CHANCE = {"left lane": 541, "middle lane": 541, "right lane": 635}, 24
+#: Where a ball is that may come into an outlane: in y, and how near to the field's sides; how far ahead its way is
+#: looked at, in steps, and how bad it must be for a nudge; how long there is no other look, and no other nudge.
+SIDE_LOW, SIDE_HIGH, SIDE, SIDE_AHEAD, LOST, SIDE_REST, NUDGE_REST = 13.8, 18.5, 3.6, 192, -2000.0, 24, 1600
 #: How many moments of a flip are tried for each flipper.
 TRIES = 8
 
@@ -43,7 +47,7 @@ class Player:
         self._step = 0
         self._due: list[tuple[int, Control, bool]] = []
         self._thought: Iterator[None] | None = None
-        self._busy = 0
+        self._busy = self._wary = 0
 
     def tick(self) -> None:
         """Nothing; presses what it thinks right before the next step."""
@@ -78,13 +82,34 @@ class Player:
         for (x, y), (vx, vy) in zip(balls.position.tolist(), balls.velocity.tolist(), strict=True):
             if x > LANE_WALL:
                 if y < 2.0 and not self._due:
-                    self._tap(Control.PLUNGER, PULL + self._random.randrange(PULL_CHANCE))
+                    self._tap(Control.PLUNGER, self._pull() + self._random.randrange(PULL_CHANCE))
+            elif SIDE_LOW < y < SIDE_HIGH and abs(x - MIDDLE) > MIDDLE - SIDE and self._step >= self._wary:
+                self._keep_out((x, y, vx, vy))
             elif y < LOW and vy < RISING and (urgent is None or y < urgent[1]):
                 urgent = (x, y, vx, vy)
         if urgent is not None:
             self._thought = self._think(urgent)
         else:
             self._let_go()
+
+    def _pull(self) -> int:
+        """For how many steps to draw the plunger, for the lane that blinks."""
+        lamps = self._game.lamps
+        return next((pull for name, pull in PULLS.items() if lamps[name] is LampState.BLINK), PULLS["middle lane"])
+
+    def _keep_out(self, state: State) -> None:
+        """Nothing; nudges the table, if that keeps a ball out of an outlane."""
+        self._wary = self._step + SIDE_REST
+        table, nothing = self._game.table, Presses()
+        worth = self._foresight.worth(table, state, nothing, SIDE_AHEAD)
+        if worth > LOST:
+            return
+        x, y, vx, vy = state
+        for control, (along, up) in NUDGES.items():
+            if self._foresight.worth(table, (x, y, vx + along, vy + up), nothing, SIDE_AHEAD) > LOST:
+                self._wary = self._step + NUDGE_REST
+                self._tap(control, 60)
+                return
 
     def _tap(self, control: Control, steps: int) -> None:
         """Nothing; presses a control now, and lets it go after some steps."""

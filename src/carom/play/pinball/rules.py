@@ -1,7 +1,7 @@
 """The rules of the pinball game: points, lamps, the bonus and its multiplier, the bank, multiball and the extra ball.
 
 Rollovers of the top lanes light them, and the flippers rotate the lit ones; all three raise the bonus multiplier, and
-the fourth time brings an extra ball. Drop targets make a bank; every second bank of a ball starts multiball, in which
+the second time brings an extra ball, once a game. Drop targets make a bank; every second bank of a ball starts multiball, in which
 orbits and banks are jackpots. Inlanes light the orbits. Bumpers light, and all three lit raise what they give.
 """
 
@@ -30,7 +30,7 @@ ORBIT, ORBIT_LIT = 2_500, 10_000
 INLANE, OUTLANE = 500, 2_000
 SPINNER = 100
 MULTIBALL, JACKPOT, JACKPOT_MORE = 10_000, 25_000, 5_000
-MOST_MULTIPLIED = 5
+MOST_MULTIPLIED, EXTRA_AT = 5, 3
 BONUS_MOST = 50_000
 
 #: Seconds: of the ball save at a ball's beginning and at that of multiball, of lit orbits, of a skill shot's chance,
@@ -239,7 +239,7 @@ class Rules:
             self._bank(place)
 
     def _all_lanes(self, place: tuple[float, float]) -> None:
-        """Nothing; raises the multiplier; where it can rise no more, gives an extra ball once, and points after that."""
+        """Nothing; raises the multiplier, which brings an extra ball once; where it cannot rise it gives points."""
         self.lamps.put(OFF, *LANES)
         if self.multiplier < MOST_MULTIPLIED:
             self.multiplier += 1
@@ -247,7 +247,7 @@ class Rules:
             self._give(EventKind.LANES, "", place, 0.0, LANES_ALL)
         else:
             self._give(EventKind.LANES, "", place, 0.0, LANES_SPENT)
-        if self.multiplier >= MOST_MULTIPLIED - 1 and not self._extra_given:
+        if self.multiplier >= EXTRA_AT and not self._extra_given:
             self._extra_given = self.extra_ball = True
             self.lamps.put(ON, "shoot again")
             self._give(EventKind.EXTRA, "", place, 0.0, 0)

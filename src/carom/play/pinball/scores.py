@@ -19,8 +19,8 @@ INITIALS = 3
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-"
 
 _DEFAULT = (
-    *(("ARC", 500_000), ("EDD", 400_000), ("KEP", 300_000), ("LER", 250_000), ("NEW", 200_000)),
-    *(("TON", 150_000), ("EUL", 100_000), ("SIN", 75_000), ("BIL", 50_000), ("BAL", 25_000)),
+    *(("ARC", 1_000_000), ("EDD", 750_000), ("KEP", 500_000), ("LER", 400_000), ("NEW", 300_000)),
+    *(("TON", 250_000), ("EUL", 200_000), ("SIN", 150_000), ("BIL", 100_000), ("BAL", 50_000)),
 )
 
 
@@ -53,8 +53,8 @@ class HighScores:
     """The ten best scores, best first; they are kept in memory alone where there is no path.
 
     >>> scores = HighScores()
-    >>> scores.place(450_000), scores.best.score
-    (1, 500000)
+    >>> scores.place(800_000), scores.best.score
+    (1, 1000000)
     """
 
     def __init__(

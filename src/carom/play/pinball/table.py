@@ -21,6 +21,7 @@ BALL_RADIUS = 0.6
 #: A ball lies nearly here before it has rolled into the corner of the plunger; above `LANE_TOP` it has left the lane.
 SERVE_PLACE = (19.3, 1.3)
 LANE_WALL, LANE_TOP = 18.6, 31.0
+MIDDLE = 9.3  # of the field
 WIDTH, DOME_CENTER, DOME_RADIUS = 20.0, (10.0, 32.0), 10.0
 
 _KINDS = {

@@ -85,7 +85,7 @@ def _cabinet() -> list[Any]:
 def _top() -> list[Any]:
     """The orbit gate on the dome, the orbits' inner guides, and the three lanes with their rollovers."""
     center, radius = DOME
-    stop = radians(124.0)
+    stop = radians(116.0)
     guides = {"center": center, **WOOD}
     parts: list[Any] = [
         GateDescriptor(
