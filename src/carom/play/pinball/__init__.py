@@ -1,5 +1,6 @@
 """The Pinball Game: a table with bumpers, lanes, a bank of drop targets and multiball, three balls a game."""
 
+from carom.play.pinball.app import PinballApp, run
 from carom.play.pinball.controls import Control, Phase
 from carom.play.pinball.events import Event, EventKind
 from carom.play.pinball.game import Pinball
@@ -17,6 +18,8 @@ __all__ = [
     "Ledger",
     "Phase",
     "Pinball",
+    "PinballApp",
     "Player",
     "Score",
+    "run",
 ]

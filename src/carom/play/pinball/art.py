@@ -12,7 +12,7 @@ from carom.play.pinball import art_sprites, lamps
 from carom.play.pinball.art_apron import paint_apron, paint_trough
 from carom.play.pinball.art_ground import paint_print, sky
 from carom.play.pinball.art_lamps import Light, lenses, light_of, paint_unlit
-from carom.play.pinball.art_paint import TEAL, Canvas, Spot, glow
+from carom.play.pinball.art_paint import TEAL, Canvas, Spot, glow, opaque
 from carom.play.pinball.art_parts import band_of, paint_parts
 
 #: Pixels per unit, and what of the world the table's picture shows: the field, the cabinet round it.
@@ -53,7 +53,7 @@ class Art:
         paint_unlit(ground, found)
         paint_trough(ground)
         paint_parts(ground, world)
-        self.ground = ground.finished().convert()
+        self.ground = opaque(ground.finished())
         self.lights: dict[str, Light] = {name: light_of(ground, lens) for name, lens in found.items()}
         apron_box = carom.Aabb(BOX.left, BOX.bottom, BOX.right, BOX.bottom + 7.0)
         apron = Canvas(apron_box, SCALE)
@@ -82,8 +82,7 @@ class Art:
         self.shadow = art_sprites.shadow(radius)
         self.tail = art_sprites.trail(round(radius))
         self.slingshots: dict[str, tuple[float, float]] = {
-            name: pixel(middle_of(box_of(world, name)))
-            for name in ("left slingshot's band", "right slingshot's band")
+            name: pixel(middle_of(box_of(world, name))) for name in ("left slingshot's band", "right slingshot's band")
         }
         self.kick = glow(round(3.0 * SCALE), TEAL, 0.8)
         self.spark = glow(round(1.1 * SCALE), (255, 236, 190), 0.9)

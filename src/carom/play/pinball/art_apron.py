@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import pi
 
-import carom
 from carom.play.pinball.art_paint import CORAL, CREAM, GOLD, INDIGO, NIGHT, TEAL, Canvas, Spot, bow, mixed
-from carom.play.pinball.art_parts import FLOOR, LACQUER, STEEL, DARK_STEEL, outlines
+from carom.play.pinball.art_parts import DARK_STEEL, FLOOR, LACQUER, STEEL, AnyShape, outlines
 
 #: How high the balls stand over the trough that are seen through its window, in units.
 WINDOW = (0.12, 1.14)
@@ -15,7 +14,7 @@ SHOULDER, DIP = 5.75, 4.95
 CARD = ("S-K-Y  MULTIPLIES THE BONUS", "1-2-3  TWICE: THREE BALLS", "ORBITS PAY THE JACKPOTS")
 
 
-def paint_apron(canvas: Canvas, shapes: Iterable[carom.Shape]) -> None:
+def paint_apron(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
     """Nothing; paints the apron onto an empty canvas, and leaves its window open."""
     shapes = list(shapes)
     trough = min(outlines(shapes, ("trough",))[0]), max(outlines(shapes, ("trough",))[0])

@@ -58,7 +58,7 @@ STROKES: dict[str, list[list[Spot]]] = {
 
 def paint_back() -> pygame.Surface:
     """The back with all that never changes."""
-    back = pygame.Surface(SIZE)
+    back = pygame.Surface(SIZE, 0, 32)
     back.fill(LACQUER)
     _pattern(back)
     canvas = Canvas(SCENE, UNIT, sky(SCENE, UNIT))
@@ -187,7 +187,7 @@ def _neon(picture: pygame.Surface, word: str, rect: pygame.Rect, gap: float, col
     for path in paths:
         canvas.stroke(path, tube, colour)
     letters = canvas.finished()
-    lit = pygame.Surface((width, height))
+    lit = pygame.Surface((width, height), 0, 32)
     lit.blit(letters, (0, 0))
     for blur in (16, 8):
         small = pygame.transform.smoothscale(lit, (width // blur, height // blur))

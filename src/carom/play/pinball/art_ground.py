@@ -51,7 +51,7 @@ def sky(box: Aabb, scale: float) -> pygame.Surface:
     return shaded((width, height), colours)
 
 
-def _rays(x: NDArray[np.float64], y: NDArray[np.float64], scale: float) -> NDArray[np.float64]:
+def _rays(x: NDArray[np.floating], y: NDArray[np.floating], scale: float) -> NDArray[np.float64]:
     """How much of a ray each point has: wedges from the sun, sharp to a pixel, which fade with the distance."""
     away_x, away_y = x - SUN[0], y - SUN[1]
     distance = np.hypot(away_x, away_y)

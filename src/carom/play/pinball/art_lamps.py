@@ -25,8 +25,8 @@ from carom.play.pinball.art_paint import (
     ring,
     star,
 )
+from carom.play.pinball.art_parts import MIDDLE, AnyShape
 
-MIDDLE = 9.3
 MULTIPLIER_HEIGHTS = (12.2, 12.55, 12.55, 12.2)
 #: How far the light of a lamp reaches beyond its lens, in units.
 REACH = 1.5
@@ -131,7 +131,7 @@ def _signs() -> dict[str, Lens]:
     return found
 
 
-def _middle(shape: carom.Shape) -> Spot:
+def _middle(shape: AnyShape) -> Spot:
     """The middle of a shape's box."""
     box = shape.aabb
     return (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
-from math import atan2, ceil, cos, degrees, hypot, pi, sin
+from itertools import pairwise
+from math import ceil, cos, degrees, hypot, pi, sin
 
 import numpy as np
 import pygame
@@ -67,7 +68,7 @@ def glow(radius: int, colour: Colour, strength: float = 1.0, power: float = 2.0)
     place = np.arange(-radius, radius + 1) / max(radius, 1)
     distance = np.sqrt(place[:, None] * place[:, None] + place[None, :] * place[None, :])
     light = strength * np.clip(1.0 - distance, 0.0, 1.0) ** power
-    picture = pygame.Surface(distance.shape)
+    picture = pygame.Surface(distance.shape, 0, 32)
     pygame.surfarray.blit_array(picture, np.clip(light[:, :, None] * np.array(colour), 0, 255).astype(np.uint8))
     return picture
 
@@ -128,7 +129,7 @@ class Canvas:
         path = [self.at(spot) for spot in spots]
         path = [*path, path[0]] if closed else path
         half = width * self.fine / 2.0
-        for (x, y), (end_x, end_y) in zip(path, path[1:], strict=False):
+        for (x, y), (end_x, end_y) in pairwise(path):
             length = hypot(end_x - x, end_y - y) or 1.0
             aside_x, aside_y = (y - end_y) / length * half, (end_x - x) / length * half
             corners = [
@@ -202,11 +203,13 @@ class Canvas:
 
 def shaded(size: tuple[int, int], colours: NDArray[np.float64]) -> pygame.Surface:
     """A picture of colours from 0 to 255, given per pixel: (width, height, 3)."""
-    picture = pygame.Surface(size)
+    picture = pygame.Surface(size, 0, 32)
     pygame.surfarray.blit_array(picture, np.clip(colours, 0, 255).astype(np.uint8))
     return picture
 
 
-def turned(start: Spot, end: Spot) -> float:
-    """The direction from one point to another."""
-    return atan2(end[1] - start[1], end[0] - start[0])
+def opaque(picture: pygame.Surface) -> pygame.Surface:
+    """A picture that is not seen through, in the format in which it is drawn fastest."""
+    found = pygame.Surface(picture.get_size(), 0, 32)
+    found.blit(picture, (0, 0))
+    return found

@@ -27,6 +27,8 @@ from carom.play.pinball.art_paint import (
     star,
 )
 
+AnyShape = carom.Shape | carom.Compound
+
 STEEL: Colour = (196, 204, 222)
 DARK_STEEL: Colour = (74, 80, 108)
 LACQUER: Colour = (24, 16, 44)
@@ -38,7 +40,7 @@ FLOOR = -0.72  # the cabinet's inner edge below the apron
 MEETS = 1e-6
 
 
-def path_of(shape: carom.Shape) -> list[Spot]:
+def path_of(shape: AnyShape) -> list[Spot]:
     """The points along a shape from its start to its end."""
     if isinstance(shape, carom.Arc):
         end = shape.end_angle if shape.end_angle > shape.start_angle else shape.end_angle + 2.0 * pi
@@ -67,7 +69,7 @@ def _joined(path: list[Spot], piece: list[Spot]) -> bool:
     return False
 
 
-def outlines(shapes: Iterable[carom.Shape], names: Collection[str]) -> list[list[Spot]]:
+def outlines(shapes: Iterable[AnyShape], names: Collection[str]) -> list[list[Spot]]:
     """The paths that shapes of some names make, each shape joined to the one before where they meet."""
     paths: list[list[Spot]] = []
     for shape in shapes:
@@ -135,12 +137,12 @@ def post(canvas: Canvas, center: Spot, radius: float) -> None:
     canvas.disc((center[0] - 0.04, center[1] + 0.05), radius * 0.36, GOLD)
 
 
-def _capsules(shapes: Iterable[carom.Shape]) -> list[list[Spot]]:
+def _capsules(shapes: Iterable[AnyShape]) -> list[list[Spot]]:
     """The outlines of the lane guides, one after the other."""
     return outlines(shapes, ("lane guide",))
 
 
-def _slingshots(shapes: Iterable[carom.Shape]) -> list[list[Spot]]:
+def _slingshots(shapes: Iterable[AnyShape]) -> list[list[Spot]]:
     """The outlines of the two slingshots."""
     shapes = list(shapes)
     return [
@@ -173,7 +175,7 @@ def _slingshot(canvas: Canvas, path: list[Spot]) -> None:
         canvas.disc((spot[0] - 0.03, spot[1] + 0.04), 0.12, CREAM)
 
 
-def _shoulder(canvas: Canvas, shapes: Iterable[carom.Shape], side: str) -> None:
+def _shoulder(canvas: Canvas, shapes: Iterable[AnyShape], side: str) -> None:
     """Nothing; paints the bulge of one wall: a plastic in stripes, and the target on its face."""
     names = (f"{side} shoulder", f"{side} target")
     paths = outlines(shapes, names)
@@ -215,7 +217,7 @@ def _lane(canvas: Canvas) -> None:
         canvas.fill(chevron, (*colour, 190))
 
 
-def _cabinet(canvas: Canvas, shapes: Iterable[carom.Shape]) -> None:
+def _cabinet(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
     """Nothing; paints the lacquered cabinet round the field, with fans in its corners and a trim of brass."""
     box = canvas.box
     field = _field(shapes)
@@ -230,7 +232,7 @@ def _cabinet(canvas: Canvas, shapes: Iterable[carom.Shape]) -> None:
     canvas.stroke(field, 0.07, CREAM, closed=True)
 
 
-def _field(shapes: Iterable[carom.Shape]) -> list[Spot]:
+def _field(shapes: Iterable[AnyShape]) -> list[Spot]:
     """The outline of all that balls can reach, clockwise from the bottom on the left."""
     shapes = list(shapes)
     left, dome, right = (outlines(shapes, (name,))[0] for name in ("left wall", "dome", "right wall"))

@@ -7,8 +7,9 @@ import pygame
 from carom.play.letters import Letters
 from carom.play.pinball import art_back
 from carom.play.pinball.art_paint import CORAL, CREAM, GOLD, NIGHT, TEAL, Colour, mixed
+from carom.play.pinball.controls import Phase
 from carom.play.pinball.dots import Bar, Dots, Line, Page, largest, wrapped
-from carom.play.pinball.game import BALLS, Phase, Pinball
+from carom.play.pinball.game import BALLS, Pinball
 from carom.play.pinball.lamps import LampState
 
 #: Seconds that a page of the demonstration stays, and those of half a blink.
@@ -65,9 +66,7 @@ def _notice(game: Pinball, lit: bool) -> Page:
 
 def _entry(game: Pinball, lit: bool) -> Page:
     """The initials that are being chosen; the one in turn blinks."""
-    shown = "".join(
-        letter if place != game.initial_place or lit else "_" for place, letter in enumerate(game.initials)
-    )
+    shown = "".join(letter if place != game.initial_place or lit else "_" for place, letter in enumerate(game.initials))
     return Page(
         (
             Line("HIGH SCORE", 0),
@@ -98,7 +97,7 @@ class Display:
 
     def __init__(self, letters: Letters) -> None:
         self._letters = letters
-        self._back = art_back.paint_back().convert()
+        self._back = art_back.paint_back()
         self._dots = Dots((26, 12, 10), (255, 146, 40))
 
     def draw(self, surface: pygame.Surface, left: int, game: Pinball, seconds: float) -> None:

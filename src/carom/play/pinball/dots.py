@@ -1,6 +1,4 @@
-"""A display of glowing dots: letters of five by seven, pages of words, one small picture that is only made anew when it
-changes.
-"""
+"""A display of glowing dots that shows pages of words, made anew when the page changes."""
 
 from __future__ import annotations
 
@@ -145,15 +143,15 @@ class Dots:
     def __init__(self, unlit: tuple[int, int, int], lit: tuple[int, int, int]) -> None:
         self.size = (COLUMNS * DOT, ROWS * DOT)
         self._unlit, self._lit = np.array(unlit, dtype=float), np.array(lit, dtype=float)
-        self._small = pygame.Surface((COLUMNS, ROWS))
+        self._small = pygame.Surface((COLUMNS, ROWS), 0, 32)
         mask = np.full((*self.size, 3), 255, np.uint8)
         corners = np.zeros((DOT, DOT))
         corners[-1, :] = corners[:, -1] = 1.0
         mask[np.tile(corners, (COLUMNS, ROWS)) > 0] = 40
-        self._mask = pygame.Surface(self.size)
+        self._mask = pygame.Surface(self.size, 0, 32)
         pygame.surfarray.blit_array(self._mask, mask)
         self._page: Page | None = None
-        self._picture = pygame.Surface(self.size)
+        self._picture = pygame.Surface(self.size, 0, 32)
 
     def picture(self, page: Page) -> pygame.Surface:
         """The picture of a page; the same one while the page is the same."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import hypot, pi
 
 import pygame
@@ -10,8 +11,9 @@ from carom.play.letters import Letters
 from carom.play.pinball import art
 from carom.play.pinball.art_paint import CREAM, GOLD
 from carom.play.pinball.art_sprites import FLIPPER_PICTURES, SPINNER_PICTURES
+from carom.play.pinball.controls import Phase
 from carom.play.pinball.effects import POINTS, SPARK, Effects
-from carom.play.pinball.game import BALLS, Phase, Pinball
+from carom.play.pinball.game import BALLS, Pinball
 from carom.play.pinball.lamps import LampState
 
 #: Seconds of half a blink, and how far light runs up the table in a second of a show of lamps, in units.
@@ -102,7 +104,7 @@ class TableView:
     def _draw_tail(self, surface: pygame.Surface, tail: list[tuple[float, float]]) -> None:
         """Nothing; draws the tail of a fast ball through where it was in the last frames."""
         lights = iter(self.art.tail)
-        for (x, y), (back_x, back_y) in zip(tail, tail[1:], strict=False):
+        for (x, y), (back_x, back_y) in pairwise(tail):
             for share in (0.35, 0.85):
                 light = next(lights, None)
                 if light is not None:
