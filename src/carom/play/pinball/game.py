@@ -34,8 +34,9 @@ BONUS_POINTS = 250
 UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
-#: Steps between two looks at the spinner.
-SPIN_LOOK = 12
+#: Steps between two looks at where balls are, and at the spinner.
+WATCH = 4
+SPIN_LOOK = 24
 
 
 class Pinball:
@@ -324,14 +325,19 @@ class Pinball:
             self._kicking = False
         if len(hits):
             self._hear(hits)
+        if self._steps % WATCH == 0:
+            self._watch()
+        self._pass_time()
+        self._settle()
+
+    def _watch(self) -> None:
+        """Nothing; looks where balls are: some come onto the field, and one that strays is taken and owed."""
         entered, strays = self._balls.watch()
         for state in entered:
             self._enter(state)
         for state in strays:
             self._balls.take(state.ball.id or 0, stray=True)
             self._owed += 1
-        self._pass_time()
-        self._settle()
 
     def _pass_time(self) -> None:
         """Nothing; lets a step's time pass for rules, plunger, spinner and what rests."""

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 #: Steps: between two decisions; how far ahead a ball's way is looked at, and between two places on it; how long a flip
 #: lasts, and how far its outcome is looked at; before a ball comes, that a flipper is raised to catch it; how much later
 #: than thought a flipper falls that held a ball; and how late a press comes at most.
-DECIDE, AHEAD, EVERY, FLIP, OUTCOME, RAISE, RELEASE, LATE = 4, 192, 6, 60, 336, 40, 24, 8
+DECIDE, AHEAD, EVERY, FLIP, OUTCOME, RAISE, RELEASE, LATE = 6, 192, 8, 60, 264, 40, 24, 13
 #: A ball below this that does not rise faster than that is thought about.
 LOW, RISING = 14.0, 8.0
 #: A ball slower than this lies still, in units/s.
@@ -27,9 +27,9 @@ STILL = 4.0
 PULLS, PULL_CHANCE = {"left lane": 541, "middle lane": 541, "right lane": 635}, 24
 #: Where a ball is that may come into an outlane: in y, and how near to the field's sides; how far ahead its way is
 #: looked at, in steps, and how bad it must be for a nudge; how long there is no other look, and no other nudge.
-SIDE_LOW, SIDE_HIGH, SIDE, SIDE_AHEAD, LOST, SIDE_REST, NUDGE_REST = 13.8, 18.5, 3.6, 192, -2000.0, 24, 1600
+SIDE_LOW, SIDE_HIGH, SIDE, SIDE_AHEAD, LOST, SIDE_REST, NUDGE_REST = 13.8, 18.5, 3.6, 192, -2000.0, 36, 4800
 #: How many moments of a flip are tried for each flipper.
-TRIES = 8
+TRIES = 6
 
 
 class Player:

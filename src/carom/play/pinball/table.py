@@ -71,6 +71,8 @@ class Flipper:
         """Nothing; has it stand at an angle from its rest, moving as its button says."""
         if self.angle != angle:
             self.shape.rotate(self.shape.pivot, self.up * angle)
+        elif self.pressed == pressed:
+            return
         self.pressed = not pressed
         self.press(pressed)
 
@@ -172,7 +174,7 @@ class Table:
         spin = self.spinner.angular_velocity
         idle = IDLE_SPIN if spin > 0.0 else -IDLE_SPIN
         if spin != idle:
-            self.spinner.angular_velocity = idle if abs(spin - idle) < 0.1 else spin + 0.04 * (idle - spin)
+            self.spinner.angular_velocity = idle if abs(spin - idle) < 0.1 else spin + 0.08 * (idle - spin)
 
     # -- where balls are ---------------------------------------------------------------------------------------------
 
