@@ -89,6 +89,7 @@ class PinballApp:
         self.game = Pinball(HighScores.load(tell=tell), seed) if game is None else game
         self.mode = Mode.ART
         self.paused = self.helping = self.rating = False
+        self._away = False
         self.speaker = Speaker(sounds.make(), tell)
         self.meter = FrameMeter(RATE)
         self._controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
@@ -103,8 +104,8 @@ class PinballApp:
 
     def handle(self, event: pygame.event.Event) -> None:
         """Nothing; takes one event: a press acts on the next step of the game."""
-        if event.type == pygame.WINDOWFOCUSLOST and self.game.phase is not Phase.ATTRACT:
-            self.paused = True
+        if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
+            self._away = event.type == pygame.WINDOWFOCUSLOST
         for action, down in self._controls.read(event):
             if isinstance(action, Control):
                 self._press(action, down)
@@ -139,6 +140,8 @@ class PinballApp:
     def advance(self, seconds: float) -> None:
         """Nothing; makes the steps of the game that are due, with their sounds."""
         self.meter.begin()
+        if self._away and self.game.phase is not Phase.ATTRACT:
+            self.paused = True
         if self.paused or self.helping:
             return
         for _ in range(self._ticker.due(seconds)):
@@ -158,8 +161,9 @@ class PinballApp:
             self.view.draw(self._table)
         if self.mode is Mode.BOTH:
             self._lines.draw_over(self._table)
-        self._display.draw(surface, art.SIZE[0], self.game, self.view.effects.time)
-        shift = self.view.effects.shift
+        effects = self.view.effects
+        self._display.draw(surface, art.SIZE[0], self.game, effects)
+        shift = effects.shift
         if shift != (0, 0):
             surface.fill(BEHIND, (0, 0, *art.SIZE))
         surface.blit(self._table, shift, (0, 0, art.SIZE[0] - max(0, shift[0]), art.SIZE[1]))

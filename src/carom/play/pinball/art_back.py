@@ -35,6 +35,8 @@ DISPLAY = pygame.Rect(18, 404, 348, 108)
 SIGNS = pygame.Rect(12, 528, 360, 44)
 SCORES = pygame.Rect(12, 586, 360, 196)
 UNIT = 18.0
+#: One of so many bulbs is lit at a time.
+BULBS = 3
 #: The part of the sky that is seen on the painting, in units; the sun rises in the middle of its lower edge.
 SCENE = carom.Aabb(-0.7, 4.3, 19.3, 4.3 + 372 / UNIT)
 
@@ -56,8 +58,33 @@ STROKES: dict[str, list[list[Spot]]] = {
 }
 
 
-def paint_back() -> pygame.Surface:
-    """The back with all that never changes."""
+def paint_backs() -> tuple[pygame.Surface, ...]:
+    """The back with all that never changes, once for each third of the bulbs that is lit."""
+    back = _back()
+    return tuple(_bulbs(back.copy(), lit) for lit in range(BULBS))
+
+
+def _bulbs(back: pygame.Surface, lit: int) -> pygame.Surface:
+    """A back with bulbs round its painting, every third of them lit."""
+    path = PAINTING.inflate(2, 2)
+    wide, high = path.width // 15, path.height // 15
+    places = [
+        *((path.left + path.width * n / wide, path.top) for n in range(wide)),
+        *((path.right, path.top + path.height * n / high) for n in range(high)),
+        *((path.right - path.width * n / wide, path.bottom) for n in range(wide)),
+        *((path.left, path.bottom - path.height * n / high) for n in range(high)),
+    ]
+    shine = glow(9, GOLD, 0.9, 1.4)
+    for number, (x, y) in enumerate(places):
+        on = number % BULBS == lit
+        if on:
+            back.blit(shine, (round(x) - 9, round(y) - 9), special_flags=pygame.BLEND_RGB_ADD)
+        pygame.draw.aacircle(back, CREAM if on else mixed(GOLD, NIGHT, 0.55), (round(x), round(y)), 3)
+    return back
+
+
+def _back() -> pygame.Surface:
+    """The back without its bulbs."""
     back = pygame.Surface(SIZE, 0, 32)
     back.fill(LACQUER)
     _pattern(back)

@@ -98,8 +98,6 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
         for path in [*outlines(shapes, ("lane guide",)), *_slingshots(shapes)]:
             canvas.fill(path, (0, 0, 0))
     _lane(canvas)
-    for path in outlines(shapes, RAILS):
-        rail(canvas, path)
     for path in _capsules(shapes):
         _lane_guide(canvas, path)
     for shape in shapes:
@@ -107,6 +105,8 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
             _gate(canvas, shape)
     for side in ("left", "right"):
         _shoulder(canvas, shapes, side)
+    for path in outlines(shapes, RAILS):
+        rail(canvas, path)
     for path in _slingshots(shapes):
         _slingshot(canvas, path)
     _cabinet(canvas, shapes)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from math import cos, pi, sin
 
 import numpy as np
@@ -208,12 +207,14 @@ def plunger(scale: float) -> pygame.Surface:
     return canvas.finished()
 
 
-@lru_cache(maxsize=4)
 def trail(radius: int) -> tuple[pygame.Surface, ...]:
-    """Lights of a comet's tail, from the ball backward: discs that shrink and fade, to be added."""
+    """Lights of a comet's tail, from the ball backward: they shrink and fade, to be added."""
     return tuple(
         glow(
-            max(3, round(radius * (1.1 - 0.11 * number))), mixed(CORAL, VIOLET, number / 8.0), 0.5 - 0.05 * number, 1.2
+            max(3, round(radius * (1.25 - 0.07 * number))),
+            mixed(GOLD, VIOLET, min(1.0, number / 9.0)),
+            0.42 - 0.022 * number,
+            1.1,
         )
-        for number in range(8)
+        for number in range(15)
     )

@@ -9,18 +9,21 @@ from carom.play.pinball import art_back
 from carom.play.pinball.art_paint import CORAL, CREAM, GOLD, NIGHT, TEAL, Colour, mixed
 from carom.play.pinball.controls import Phase
 from carom.play.pinball.dots import Bar, Dots, Line, Page, largest, wrapped
+from carom.play.pinball.effects import Effects, News
 from carom.play.pinball.game import BALLS, Pinball
 from carom.play.pinball.lamps import LampState
 
 #: Seconds that a page of the demonstration stays, and those of half a blink.
 PAGE_TIME, BLINK_TIME = 3.0, 0.25
+#: How many times a second the bulbs round the painting change, and in a show of lamps.
+CHASE, CHASE_OF_SHOW = 3.0, 14.0
 #: High scores on one page.
 PER_PAGE = 3
 KEYS = "Shift: flippers    Space: plunger    A W D: nudge    F1: help"
 
 
-def page_of(game: Pinball, seconds: float) -> Page:
-    """What the dots show: `seconds` is the time of blinking and of the pages' order."""
+def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:
+    """What the dots show: `seconds` is the time of blinking and of the pages' order, `news` is what is announced."""
     lit = int(seconds / BLINK_TIME) % 2 == 0
     if game.phase is Phase.ATTRACT:
         return _demonstration(game, seconds, lit)
@@ -36,6 +39,8 @@ def page_of(game: Pinball, seconds: float) -> Page:
         )
     if game.phase is Phase.OVER:
         return Page((Line("GAME OVER", 2, 2), Line(f"{game.score:,}", 21, 2)))
+    if news is not None and not game.tilted:
+        return _news(news, lit)
     if game.message == f"BALL {game.ball_number}":
         return _score(game)
     return _notice(game, lit)
@@ -52,6 +57,13 @@ def _score(game: Pinball) -> Page:
     if game.bonus:
         lines.append(Line(f"{game.bonus:,} x {game.multiplier}", 28, 1, 0.7, "end"))
     return Page(tuple(lines))
+
+
+def _news(news: News, lit: bool) -> Page:
+    """What is announced, and its points."""
+    points = f"{news.points:,}" if news.points else ""
+    size = largest(news.words, 2)
+    return Page((Line(news.words, 10 - 4 * size if points else 10, size), Line(points, 20, 2, 1.0 if lit else 0.6)))
 
 
 def _notice(game: Pinball, lit: bool) -> Page:
@@ -97,13 +109,15 @@ class Display:
 
     def __init__(self, letters: Letters) -> None:
         self._letters = letters
-        self._back = art_back.paint_back()
+        self._backs = art_back.paint_backs()
         self._dots = Dots((26, 12, 10), (255, 146, 40))
 
-    def draw(self, surface: pygame.Surface, left: int, game: Pinball, seconds: float) -> None:
+    def draw(self, surface: pygame.Surface, left: int, game: Pinball, effects: Effects) -> None:
         """Nothing; draws the back from the column `left` of a surface on."""
-        surface.blit(self._back, (left, 0))
-        surface.blit(self._dots.picture(page_of(game, seconds)), art_back.DISPLAY.move(left, 0))
+        seconds, news = effects.time, effects.news
+        chase = CHASE if effects.show is None else CHASE_OF_SHOW
+        surface.blit(self._backs[int(seconds * chase) % len(self._backs)], (left, 0))
+        surface.blit(self._dots.picture(page_of(game, seconds, news)), art_back.DISPLAY.move(left, 0))
         self._signs(surface, left, game, seconds)
         self._scores(surface, left, game)
         self._letters.draw(surface, KEYS, (left + 192, 804), 11, mixed(CREAM, NIGHT, 0.25), anchor="middle")

@@ -24,8 +24,8 @@ KEYS = (
 )
 RULES = (
     "Three balls. A ball that drains within the first seconds comes back.",
-    "The blinking lane of S-K-Y is the skill shot. All three multiply the bonus, up to 5 times;",
-    "once more brings an extra ball. Flippers move the lit lanes.",
+    "The blinking lane of S-K-Y is the skill shot. All three multiply the bonus, up to 5 times,",
+    "and bring an extra ball on the way. Flippers move the lit lanes.",
     "Drop targets 1-2-3: each bank pays more than the one before, every second one starts multiball.",
     "In multiball orbits and banks are jackpots. Inlanes light the orbits.",
     "Bumpers light when struck; all three lit raise what they pay.",

@@ -13,6 +13,10 @@ from carom.play.pinball.game import Pinball
 LAYERS = frozenset({draw.Layer.SHAPES, draw.Layer.SENSORS, draw.Layer.BALLS, draw.Layer.VELOCITIES})
 
 
+#: By how much the art is dimmed under lines.
+DIMMED = (150, 150, 160)
+
+
 class Mode(Enum):
     """How the table is drawn."""
 
@@ -42,7 +46,9 @@ class Lines:
     def draw_over(self, surface: pygame.Surface) -> None:
         """Nothing; draws lines over the art."""
         if self._still is None:
-            self._still = pygame.Surface(art.SIZE, pygame.SRCALPHA)
+            self._still = pygame.Surface(art.SIZE, 0, 32)
             self._live.draw_still(self._still, ground=False)
-        surface.blit(self._still, (0, 0))
+        surface.fill(DIMMED, special_flags=pygame.BLEND_RGB_MULT)
+        # The lighter of the two colours stays: lines are seen, and what they fill with paper is not.
+        surface.blit(self._still, (0, 0), special_flags=pygame.BLEND_RGB_MAX)
         self._live.draw_moving(surface)

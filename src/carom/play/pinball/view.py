@@ -9,7 +9,7 @@ import pygame
 
 from carom.play.letters import Letters
 from carom.play.pinball import art
-from carom.play.pinball.art_paint import CREAM, GOLD
+from carom.play.pinball.art_paint import CREAM, GOLD, NIGHT
 from carom.play.pinball.art_sprites import FLIPPER_PICTURES, SPINNER_PICTURES
 from carom.play.pinball.controls import Phase
 from carom.play.pinball.effects import POINTS, SPARK, Effects
@@ -19,7 +19,7 @@ from carom.play.pinball.lamps import LampState
 #: Seconds of half a blink, and how far light runs up the table in a second of a show of lamps, in units.
 BLINK_TIME, RUNS = 0.16, 60.0
 #: From this speed on a ball has a tail, in units/s; places behind it that the tail goes through.
-TAIL_FROM, TAIL = 26.0, 4
+TAIL_FROM, TAIL = 24.0, 5
 #: How far the plunger is drawn, in units, and where its tip is at rest.
 DRAW, TIP = 0.62, (19.3, 0.62)
 #: Where the balls that are left wait behind the apron's window: the first, and the way to the next.
@@ -105,7 +105,7 @@ class TableView:
         """Nothing; draws the tail of a fast ball through where it was in the last frames."""
         lights = iter(self.art.tail)
         for (x, y), (back_x, back_y) in pairwise(tail):
-            for share in (0.35, 0.85):
+            for share in (0.25, 0.6, 0.95):
                 light = next(lights, None)
                 if light is not None:
                     centered(surface, light, (x + (back_x - x) * share, y + (back_y - y) * share), ADD)
@@ -142,14 +142,10 @@ class TableView:
         for spark in self.effects.points:
             since = (self.effects.time - spark.since) / POINTS
             x, y = art.pixel(spark.place)
-            self._letters.draw(
-                surface,
-                spark.words,
-                (min(max(x, 40.0), art.SIZE[0] - 46.0), y - 16.0 - 34.0 * since),
-                15,
-                CREAM if int(since * 8.0) % 2 else GOLD,
-                anchor="middle",
-            )
+            x, y = min(max(x, 44.0), art.SIZE[0] - 50.0), y - 16.0 - 34.0 * since
+            colour = CREAM if int(since * 8.0) % 2 else GOLD
+            self._letters.draw(surface, spark.words, (x + 1.0, y + 2.0), 16, NIGHT, anchor="middle")
+            self._letters.draw(surface, spark.words, (x, y), 16, colour, anchor="middle")
 
 
 def centered(surface: pygame.Surface, picture: pygame.Surface, place: tuple[float, float], flags: int = 0) -> None:
