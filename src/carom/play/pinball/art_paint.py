@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import lru_cache
 from itertools import pairwise
 from math import ceil, cos, degrees, hypot, pi, sin
 
@@ -13,6 +12,7 @@ import pygame
 from numpy.typing import NDArray
 
 from carom import Aabb
+from carom.play.letters import load
 
 Colour = tuple[int, int, int]
 Spot = tuple[float, float]
@@ -55,12 +55,6 @@ def star(center: Spot, radius: float, inner: float, points: int = 4, turn: float
     """The outline of a star: points at `radius`, notches at `inner`."""
     radii = (radius, inner)
     return [polar(center, radii[number % 2], turn + number * pi / points) for number in range(2 * points)]
-
-
-@lru_cache(maxsize=64)
-def font(size: int) -> pygame.font.Font:
-    """The bold letters that pygame brings along, at a size in pixels."""
-    return pygame.font.Font(None, size)
 
 
 def glow(radius: int, colour: Colour, strength: float = 1.0, power: float = 2.0) -> pygame.Surface:
@@ -169,7 +163,9 @@ class Canvas:
         self, text: str, center: Spot, size: float, colour: Sequence[int], turn: float = 0.0, apart: float = 0.0
     ) -> None:
         """Nothing; writes words round their middle: `size` and the room between letters in units, turned by radians."""
-        letters = [font(round(size * self.fine)).render(letter, True, colour[:3]) for letter in text]
+        pygame.font.init()
+        font = load(round(size * self.fine))
+        letters = [font.render(letter, True, colour[:3]) for letter in text]
         room = apart * self.fine
         width = sum(letter.get_width() for letter in letters) + room * (len(letters) - 1)
         line = pygame.Surface((ceil(width) + 2, letters[0].get_height()), pygame.SRCALPHA)
@@ -180,16 +176,6 @@ class Canvas:
         if len(colour) == 4:
             line.set_alpha(colour[3])
         self.paste(pygame.transform.rotozoom(line, degrees(turn), 1.0) if turn else line, center)
-
-    def along(self, text: str, center: Spot, radius: float, middle: float, size: float, colour: Sequence[int]) -> None:
-        """Nothing; writes words along a circle, their tops outward, round the angle `middle`."""
-        letters = font(round(size * self.fine))
-        widths = [letters.size(letter)[0] / self.fine * 1.12 for letter in text]
-        angle = middle + sum(widths) / radius / 2.0
-        for letter, width in zip(text, widths, strict=True):
-            angle -= width / radius / 2.0
-            self.words(letter, polar(center, radius, angle), size, colour, angle - pi / 2.0)
-            angle -= width / radius / 2.0
 
     def paste(self, picture: pygame.Surface, center: Spot) -> None:
         """Nothing; lays a picture of the large size over the canvas, its middle at a point."""

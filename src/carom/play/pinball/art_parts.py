@@ -104,7 +104,7 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
         if isinstance(shape, carom.Gate):
             _gate(canvas, shape)
     for side in ("left", "right"):
-        _shoulder(canvas, shapes, side)
+        paint_shoulder(canvas, shapes, side)
     for path in outlines(shapes, RAILS):
         rail(canvas, path)
     for path in _slingshots(shapes):
@@ -175,7 +175,7 @@ def _slingshot(canvas: Canvas, path: list[Spot]) -> None:
         canvas.disc((spot[0] - 0.03, spot[1] + 0.04), 0.12, CREAM)
 
 
-def _shoulder(canvas: Canvas, shapes: Iterable[AnyShape], side: str) -> None:
+def paint_shoulder(canvas: Canvas, shapes: Iterable[AnyShape], side: str) -> None:
     """Nothing; paints the bulge of one wall: a plastic in stripes, and the target on its face."""
     names = (f"{side} shoulder", f"{side} target")
     paths = outlines(shapes, names)

@@ -51,7 +51,7 @@ def _score(game: Pinball) -> Page:
     words = f"{game.score:,}"
     size = largest(words)
     lines = [Line(words, 2 if size == 3 else 6, size)]
-    if game.plunger_pull > 0.0:
+    if game.plunger_pull > 0.0 and game.ledger.held:
         return Page(tuple(lines), (Bar(29, 6, game.plunger_pull),))
     lines.append(Line(f"BALL {game.ball_number}", 28, 1, 0.7, "start"))
     if game.bonus:
