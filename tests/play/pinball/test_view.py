@@ -62,7 +62,8 @@ def told(**changes: Any) -> Any:
         "bonus": 1_200,
         "multiplier": 3,
         "plunger_pull": 0.0,
-        "ledger": Ledger(created=1, held=1),
+        "ledger": Ledger(created=1, in_play=1),
+        "balls_in_play": 1,
         "saver": 0.0,
         "tilted": False,
         "lamps": dict.fromkeys(lamps.NAMES, LampState.OFF),
@@ -146,6 +147,25 @@ def test_balls_that_wait_are_seen_behind_the_aprons_window() -> None:
     assert len(pictures) == 3
 
 
+def test_hard_impacts_spark_and_points_float_upward() -> None:
+    game = begun()
+    view = TableView(game, Letters())
+    before = drawn(view)
+    view.effects.note([Event(EventKind.TARGET, "left target", (9.3, 21.5), 60.0, 1_000)])
+    place = art.pixel((9.3, 21.5))
+    assert at(drawn(view), place) > at(before, place) + 100
+    above = pygame.Rect(0, 0, 60, 26)
+    above.center = (int(place[0]), int(place[1]) - 38)
+    view.effects.advance(0.4)
+    floating = drawn(view)
+    assert at(floating, place) == at(before, place), "the spark is out"
+    assert level(floating, above) > level(before, above)
+    view.effects.advance(0.5)
+    assert pygame.image.tobytes(drawn(view).subsurface(above), "RGB") == pygame.image.tobytes(
+        before.subsurface(above), "RGB"
+    )
+
+
 def test_a_fast_ball_has_a_tail() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -224,8 +244,10 @@ def test_a_show_of_lamps_runs_over_the_table() -> None:
 def test_the_display_says_what_the_game_is_about() -> None:
     assert words(page_of(told(), 0.0)) == ["12,345", "BALL 2", "1,200 x 3"]
     assert words(page_of(told(bonus=0), 0.0)) == ["12,345", "BALL 2"]
-    assert page_of(told(plunger_pull=0.5), 0.0).bars == (Bar(29, 6, 0.5),)
-    assert page_of(told(plunger_pull=0.5, ledger=Ledger()), 0.0).bars == (), "there is no ball to shoot"
+    waiting = {"ledger": Ledger(created=1, held=1), "balls_in_play": 0}
+    assert words(page_of(told(**waiting), 0.0))[-1] == "HOLD SPACE"
+    assert page_of(told(plunger_pull=0.5, **waiting), 0.0).bars == (Bar(29, 6, 0.5),)
+    assert page_of(told(plunger_pull=0.5), 0.0).bars == (), "there is no ball to shoot"
     assert words(page_of(told(message="BALL SAVED"), 0.0)) == ["BALL SAVED", "12,345"]
     assert words(page_of(told(message="ONE TWO THREE FOUR FIVE SIX SEVEN"), 0.0))[-1] == "12,345"
     assert words(page_of(told(phase=Phase.BONUS), 0.0)) == ["BONUS", "1,200 x 3", "12,345"]

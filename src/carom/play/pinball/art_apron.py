@@ -30,8 +30,8 @@ def paint_apron(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
     canvas.stroke([(wall, SHOULDER), (wall, FLOOR + 0.2)], 0.3, DARK_STEEL)
     canvas.stroke([(wall, SHOULDER), (wall, FLOOR + 0.2)], 0.17, STEEL)
     _card(canvas, (13.95, 0.28))
-    canvas.words("CAROM", (4.9, 1.55), 2.1, GOLD, 0.0, 0.22)
-    canvas.words("C O M E T", (4.9, 0.18), 0.95, TEAL, 0.0, 0.3)
+    canvas.words("CAROM", (4.9, 1.55), 2.1, GOLD, 0.22)
+    canvas.words("C O M E T", (4.9, 0.18), 0.95, TEAL, 0.3)
     for side in (-1.0, 1.0):
         canvas.stroke([(4.9 + side * 2.75, 0.2), (4.9 + side * 4.1, 0.2)], 0.07, CORAL)
 

@@ -109,9 +109,8 @@ def lenses(world: carom.World) -> dict[str, Lens]:
         side = 1.0 if x < MIDDLE else -1.0
         found[name] = _arrow((x + side * (1.2 if side > 0.0 else 2.35), y), 0.62, pi / 2.0 + side * pi / 2.0, CORAL)
     for number, name in enumerate(lamps.BANK, 1):
-        if name in places:
-            x, y = places[name]
-            found[name] = _disc((x - 0.95, y), 0.4, GOLD, str(number), 0.75)
+        x, y = places[name]
+        found[name] = _disc((x - 0.95, y), 0.4, GOLD, str(number), 0.75)
     return found
 
 

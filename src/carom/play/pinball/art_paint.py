@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
-from math import ceil, cos, degrees, hypot, pi, sin
+from math import ceil, cos, hypot, pi, sin
 
 import numpy as np
 import pygame
@@ -159,13 +159,11 @@ class Canvas:
         corner = (x - shine.get_width() / 2.0, y - shine.get_height() / 2.0)
         self.picture.blit(shine, corner, special_flags=pygame.BLEND_RGB_ADD)
 
-    def words(
-        self, text: str, center: Spot, size: float, colour: Sequence[int], turn: float = 0.0, apart: float = 0.0
-    ) -> None:
-        """Nothing; writes words round their middle: `size` and the room between letters in units, turned by radians."""
+    def words(self, text: str, center: Spot, size: float, colour: Colour, apart: float = 0.0) -> None:
+        """Nothing; writes words round their middle: `size` and the room between letters are in units."""
         pygame.font.init()
         font = load(round(size * self.fine))
-        letters = [font.render(letter, True, colour[:3]) for letter in text]
+        letters = [font.render(letter, True, colour) for letter in text]
         room = apart * self.fine
         width = sum(letter.get_width() for letter in letters) + room * (len(letters) - 1)
         line = pygame.Surface((ceil(width) + 2, letters[0].get_height()), pygame.SRCALPHA)
@@ -173,9 +171,7 @@ class Canvas:
         for letter in letters:
             line.blit(letter, (x, 0))
             x += letter.get_width() + room
-        if len(colour) == 4:
-            line.set_alpha(colour[3])
-        self.paste(pygame.transform.rotozoom(line, degrees(turn), 1.0) if turn else line, center)
+        self.paste(line, center)
 
     def paste(self, picture: pygame.Surface, center: Spot) -> None:
         """Nothing; lays a picture of the large size over the canvas, its middle at a point."""

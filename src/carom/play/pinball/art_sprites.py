@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, pi, sin
+from math import cos, hypot, pi, sin
 
 import numpy as np
 import pygame
@@ -116,20 +116,12 @@ def flipper(outline: Sequence[Spot], pivot: Spot, angle: float, scale: float) ->
 
 
 def _shrunk(spots: Sequence[Spot], by: float) -> list[Spot]:
-    """A closed convex outline, counterclockwise or clockwise, moved inward."""
-    count = len(spots)
+    """A closed outline, counterclockwise, moved inward."""
     found = []
-    middle_x, middle_y = sum(x for x, _ in spots) / count, sum(y for _, y in spots) / count
-    for number, (x, y) in enumerate(spots):
-        before, after = spots[number - 1], spots[(number + 1) % count]
-        along_x, along_y = after[0] - before[0], after[1] - before[1]
-        length = (along_x * along_x + along_y * along_y) ** 0.5
-        if length == 0.0:
-            continue
-        inward_x, inward_y = -along_y / length, along_x / length
-        if inward_x * (middle_x - x) + inward_y * (middle_y - y) < 0.0:
-            inward_x, inward_y = -inward_x, -inward_y
-        found.append((x + inward_x * by, y + inward_y * by))
+    for before, (x, y), (end_x, end_y) in zip([spots[-1], *spots], spots, [*spots[1:], spots[0]], strict=False):
+        along_x, along_y = end_x - before[0], end_y - before[1]
+        length = hypot(along_x, along_y)
+        found.append((x - along_y / length * by, y + along_x / length * by))
     return found
 
 

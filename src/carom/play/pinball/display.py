@@ -42,19 +42,21 @@ def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:
     if news is not None and not game.tilted:
         return _news(news, lit)
     if game.message == f"BALL {game.ball_number}":
-        return _score(game)
+        return _score(game, lit)
     return _notice(game, lit)
 
 
-def _score(game: Pinball) -> Page:
-    """The score, large, and below it ball and bonus; the plunger's draw while it is drawn."""
+def _score(game: Pinball, lit: bool) -> Page:
+    """The score, large, and below it ball and bonus; while a ball waits, what to do, or the plunger's draw."""
     words = f"{game.score:,}"
     size = largest(words)
     lines = [Line(words, 2 if size == 3 else 6, size)]
     if game.plunger_pull > 0.0 and game.ledger.held:
         return Page(tuple(lines), (Bar(29, 6, game.plunger_pull),))
     lines.append(Line(f"BALL {game.ball_number}", 28, 1, 0.7, "start"))
-    if game.bonus:
+    if game.ledger.held and not game.balls_in_play:
+        lines.append(Line("HOLD SPACE", 28, 1, 1.0 if lit else 0.4, "end"))
+    elif game.bonus:
         lines.append(Line(f"{game.bonus:,} x {game.multiplier}", 28, 1, 0.7, "end"))
     return Page(tuple(lines))
 
