@@ -13,8 +13,8 @@ from carom.play.pinball.table import BALL_RADIUS, SERVE_PLACE, Table
 LOOK, PATIENCE = 48, 4 * 480
 #: The speed of the first push that frees a ball, in units/s; each that follows is stronger by as much.
 FREEING, MOST_FREEING = 8.0, 40.0
-#: A ball on the plunger is below this, and slower than that.
-FOOT, STILL = 2.0, 0.5
+#: A ball slower than this lies still.
+STILL = 0.5
 
 
 class BallState:
@@ -75,7 +75,8 @@ class Balls:
     def on_plunger(self) -> BallState | None:
         """The ball that lies still on the plunger, or None."""
         for state in self.states.values():
-            if state.held and state.ball.position[1] < FOOT and hypot(*state.ball.velocity) < STILL:
+            near = self.table.plunger.distance(state.ball.position) < BALL_RADIUS + 0.05
+            if near and hypot(*state.ball.velocity) < STILL:
                 return state
         return None
 
@@ -85,10 +86,10 @@ class Balls:
         strays: list[BallState] = []
         table = self.table
         for state, (x, y) in zip(self.states.values(), table.world.balls.position.tolist(), strict=True):
-            lane = table.in_lane(x, y)
-            if not table.holds(x, y) or (lane and not state.held):
+            beyond = table.beyond_lane(x, y)
+            if not table.holds(x, y) or (beyond < 0.0 and not state.held):
                 strays.append(state)
-            elif state.held and not lane and y > FOOT:
+            elif state.held and beyond >= BALL_RADIUS:
                 state.held = False
                 self.ledger.enter()
                 entered.append(state)

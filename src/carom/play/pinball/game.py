@@ -34,6 +34,18 @@ BONUS_POINTS = 250
 UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
+#: What the display says of events, and for how many steps.
+NOTICES = {
+    EventKind.BANK: "BANK",
+    EventKind.EXTRA: "EXTRA BALL",
+    EventKind.KNOCK: "NEW HIGH SCORE",
+    EventKind.LANES: "BONUS MULTIPLIER",
+    EventKind.MULTIBALL: "MULTIBALL",
+    EventKind.SAVE: "BALL SAVED",
+    EventKind.WARNING: "WARNING",
+}
+JACKPOTS = (EventKind.ORBIT, EventKind.BANK)
+NOTICE_TIME = 2 * RATE
 #: Steps between two looks at where balls are, and at the spinner.
 WATCH = 4
 SPIN_LOOK = 24
@@ -60,7 +72,7 @@ class Pinball:
         self.table = Table()
         self._balls = Balls(self.table, self._random)
         self._events: list[Event] = []
-        self._rules = Rules(self.table, self._events.append, self._random)
+        self._rules = Rules(self.table, self._emit, self._random)
         self._presses: list[tuple[Control, bool]] = []
         self._entry = Entry()
         self._stages: dict[Phase, Callable[[], None]] = {
@@ -71,6 +83,7 @@ class Pinball:
         }
         self._steps = 0
         self._kicking = False
+        self._player = Player(self, seed, lambda control, down: self._presses.append((control, down)))
         self._demo: Player | None = None
         self._begin_demo()
 
@@ -230,13 +243,17 @@ class Pinball:
         self._tell(EventKind.SERVE, "plunger", ball.position)
         self._wait = 0
 
+    def _emit(self, event: Event) -> None:
+        """Nothing; notes an event, and has the display say so where it is worth words."""
+        self._events.append(event)
+        jackpot = event.kind in JACKPOTS and event.score and self._rules.multiball
+        words = "JACKPOT" if jackpot else NOTICES.get(event.kind)
+        if words is not None:
+            self._notice, self._notice_left = words, NOTICE_TIME
+
     def _tell(self, kind: EventKind, part: str = "", place: tuple[float, float] = (0.0, 0.0), score: int = 0) -> None:
         """Nothing; notes an event in which nothing was struck."""
-        self._events.append(Event(kind, part, place, 0.0, score))
-
-    def _note(self, words: str, seconds: int = 2) -> None:
-        """Nothing; has the display say something for a while."""
-        self._notice, self._notice_left = words, seconds * RATE
+        self._emit(Event(kind, part, place, 0.0, score))
 
     # -- controls ----------------------------------------------------------------------------------------------------
 
@@ -286,7 +303,7 @@ class Pinball:
         self.table.plunger.kick = speed
         self._kicking = True
         if state is not None:
-            self._events.append(Event(EventKind.LAUNCH, "plunger", state.ball.position, speed))
+            self._emit(Event(EventKind.LAUNCH, "plunger", state.ball.position, speed))
 
     def _nudge(self, control: Control) -> None:
         """Nothing; pushes the table, which moves every ball on the field; too much of it brings warnings and tilt."""
@@ -302,7 +319,6 @@ class Pinball:
             return
         if self.warnings < MOST_WARNINGS:
             self.warnings += 1
-            self._note("WARNING")
             self._tell(EventKind.WARNING)
         else:
             self._tilt()
@@ -354,6 +370,9 @@ class Pinball:
                 self._rules.spin(spin * SPIN_LOOK * STEP)
                 self.table.slow_spinner()
         if self._steps % LOOK == 0:
+            if self._demo is None and not self._knocked and self.score > self.high_scores.best.score:
+                self._knocked = True
+                self._tell(EventKind.KNOCK)
             for state in self._balls.free():
                 self._tell(EventKind.FREED, "", state.ball.position)
             self._rules.raise_bank([state.ball.position for state in self._balls.in_play])
@@ -373,10 +392,10 @@ class Pinball:
         if impulse < GENTLE:
             return
         if part is None:
-            self._events.append(Event(EventKind.BOUNCE, "ball", place, impulse))
+            self._emit(Event(EventKind.BOUNCE, "ball", place, impulse))
         elif part.kind is EventKind.SPINNER:
             self.table.strike_spinner(place, (-impulse * float(normal[0]), -impulse * float(normal[1])))
-            self._events.append(Event(EventKind.BOUNCE, part.name, place, impulse))
+            self._emit(Event(EventKind.BOUNCE, part.name, place, impulse))
         else:
             self._rules.meet(part, place, impulse)
 
@@ -388,10 +407,7 @@ class Pinball:
         state = self._balls.states.get(ball)
         if state is None or state.held or (part.kind is EventKind.ORBIT and state.ball.velocity[1] <= 0.0):
             return
-        before = self._rules.balls_due
         self._rules.meet(part, part.place, 0.0)
-        if self._rules.balls_due > before:
-            self._note("MULTIBALL", 3)
 
     def _enter(self, state: BallState) -> None:
         """Nothing; a ball comes through the launch gate onto the field."""
@@ -409,9 +425,8 @@ class Pinball:
             return
         place = state.ball.position
         self._tell(EventKind.DRAIN, "drain", place)
-        if self._rules.saver_left and not self.tilted:
+        if state.held or (self._rules.saver_left and not self.tilted):
             self._owed += 1
-            self._note("BALL SAVED")
             self._tell(EventKind.SAVE, "", place)
 
     def _settle(self) -> None:

@@ -10,24 +10,27 @@ from typing import TYPE_CHECKING
 from carom.play.pinball.controls import NUDGES, Control, Phase
 from carom.play.pinball.foresight import Foresight, Presses, State, sweeps
 from carom.play.pinball.lamps import LampState
-from carom.play.pinball.table import LANE_WALL, MIDDLE
+from carom.play.pinball.table import BALL_RADIUS
 
 if TYPE_CHECKING:
     from carom.play.pinball.game import Pinball
 
-#: Steps: between two decisions; how far ahead a ball's way is looked at, and between two places on it; how long a flip
-#: lasts, and how far its outcome is looked at; before a ball comes, that a flipper is raised to catch it; how much later
-#: than thought a flipper falls that held a ball; and how late a press comes at most.
-DECIDE, AHEAD, EVERY, FLIP, OUTCOME, RAISE, RELEASE, LATE = 6, 192, 8, 60, 264, 40, 24, 13
+#: Steps: between two decisions; how far ahead a ball's way is looked at, from a cradle, and between two places on it.
+DECIDE, AHEAD, CRADLE_AHEAD, EVERY = 6, 192, 336, 12
+#: Steps: how long a flip lasts, and how far its outcome is looked at; how long before a ball comes a flipper is raised
+#: to catch it; how much later than thought a flipper falls that held a ball; and how late a press comes at most.
+FLIP, OUTCOME, RAISE, RELEASE, LATE = 60, 240, 40, 24, 22
 #: A ball below this that does not rise faster than that is thought about.
 LOW, RISING = 14.0, 8.0
 #: A ball slower than this lies still, in units/s.
 STILL = 4.0
+#: A ball in the plunger lane below this lies on the plunger, or nearly.
+FOOT = 2.0
 #: For how many steps the plunger is drawn for a lane, with so much of chance.
 PULLS, PULL_CHANCE = {"left lane": 541, "middle lane": 541, "right lane": 635}, 24
-#: Where a ball is that may come into an outlane: in y, and how near to the field's sides; how far ahead its way is
+#: Where a ball is that may come into an outlane: in y, and how far from the field's middle; how far ahead its way is
 #: looked at, in steps, and how bad it must be for a nudge; how long there is no other look, and no other nudge.
-SIDE_LOW, SIDE_HIGH, SIDE, SIDE_AHEAD, LOST, SIDE_REST, NUDGE_REST = 13.8, 18.5, 3.6, 192, -2000.0, 36, 4800
+SIDE_LOW, SIDE_HIGH, SIDE, SIDE_AHEAD, LOST, SIDE_REST, NUDGE_REST = 13.8, 18.5, 5.7, 192, -2000.0, 36, 4800
 #: How many moments of a flip are tried for each flipper.
 TRIES = 6
 
@@ -44,6 +47,10 @@ class Player:
         self._random = Random(seed)
         self._press = game.press if press is None else press
         self._foresight = Foresight()
+        self.begin()
+
+    def begin(self) -> None:
+        """Nothing; forgets what was planned, for a new game."""
         self._step = 0
         self._due: list[tuple[int, Control, bool]] = []
         self._thought: Iterator[None] | None = None
@@ -77,13 +84,13 @@ class Player:
         if self._game.phase is Phase.ENTRY:
             self._tap(Control.PLUNGER, 60)
             return
-        balls = self._game.world.balls
+        table, balls = self._game.table, self._game.world.balls
         urgent: State | None = None
         for (x, y), (vx, vy) in zip(balls.position.tolist(), balls.velocity.tolist(), strict=True):
-            if x > LANE_WALL:
-                if y < 2.0 and not self._due:
+            if table.beyond_lane(x, y) < BALL_RADIUS:
+                if y < FOOT and not self._due:
                     self._tap(Control.PLUNGER, self._pull() + self._random.randrange(PULL_CHANCE))
-            elif SIDE_LOW < y < SIDE_HIGH and abs(x - MIDDLE) > MIDDLE - SIDE and self._step >= self._wary:
+            elif SIDE_LOW < y < SIDE_HIGH and abs(x - table.middle) > SIDE and self._step >= self._wary:
                 self._keep_out((x, y, vx, vy))
             elif y < LOW and vy < RISING and (urgent is None or y < urgent[1]):
                 urgent = (x, y, vx, vy)
@@ -156,15 +163,14 @@ class Player:
         table = self._game.table
         after = RELEASE if any(held) and not still else 0
         let_go = tuple((after,) if side else () for side in held)
-        track = self._foresight.track(table, state, Presses(*let_go), after + AHEAD, EVERY)
+        track = self._foresight.track(table, state, Presses(*let_go), after + (CRADLE_AHEAD if still else AHEAD), EVERY)
         options: list[Presses] = []
         for left in (True, False):
             own = let_go[0 if left else 1]
             other = let_go[1 if left else 0]
             ripe = [index * EVERY for index in sweeps(table, track, left) if index * EVERY > after + 6]
             thinned = ripe[:: max(1, -(-len(ripe) // TRIES))]
-            for at in thinned:
-                options.append(_presses((*own, at, at + FLIP), other, left))
+            options += [_presses((*own, at, at + FLIP), other, left) for at in thinned]
             if ripe and not any(held):
                 options.append(_presses((max(ripe[0] - RAISE, 24),), other, left))
         return options

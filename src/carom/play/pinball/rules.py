@@ -1,8 +1,9 @@
 """The rules of the pinball game: points, lamps, the bonus and its multiplier, the bank, multiball and the extra ball.
 
 Rollovers of the top lanes light them, and the flippers rotate the lit ones; all three raise the bonus multiplier, and
-the second time brings an extra ball, once a game. Drop targets make a bank; every second bank of a ball starts multiball, in which
-orbits and banks are jackpots. Inlanes light the orbits. Bumpers light, and all three lit raise what they give.
+the second time brings an extra ball, once a game. Drop targets make a bank; every second bank of a ball starts
+multiball, in which orbits and banks are jackpots. Inlanes light the orbits. Bumpers light, and all three lit raise what
+they give.
 """
 
 from __future__ import annotations
@@ -57,10 +58,10 @@ class Rules:
         self._random = random
         self._ways: dict[EventKind, Callable[[Part], int]] = {
             EventKind.BUMPER: self._bumper,
-            EventKind.SLINGSHOT: self._slingshot,
+            EventKind.SLINGSHOT: lambda _: SLINGSHOT,
             EventKind.TARGET: self._target,
             EventKind.LANE: self._lane,
-            EventKind.ORBIT: self._orbit,
+            EventKind.ORBIT: lambda _: self._orbit(),
             EventKind.INLANE: self._inlane,
             EventKind.OUTLANE: self._outlane,
         }
@@ -96,6 +97,8 @@ class Rules:
 
     def enter(self) -> None:
         """Nothing; begins the ball save and the chance of a skill shot, as the first ball comes onto the field."""
+        if self.tilted:
+            return
         self.saver_left = max(self.saver_left, SAVER * RATE)
         self._skill_left = SKILL_TIME * RATE
         self.lamps.put(BLINK, "shoot again")
@@ -128,10 +131,11 @@ class Rules:
 
     def raise_bank(self, places: list[tuple[float, float]]) -> None:
         """Nothing; raises the targets of a finished bank, once it has rested and no ball at `places` is in the way."""
-        if len(self.table.down) == len(BANK) and not self._bank_left:
-            if all(self.table.clear_of_targets(x, y) for x, y in places):
-                self.table.raise_targets()
-                self.lamps.put(OFF, *BANK)
+        if len(self.table.down) < len(BANK) or self._bank_left:
+            return
+        if all(self.table.clear_of_targets(x, y) for x, y in places):
+            self.table.raise_targets()
+            self.lamps.put(OFF, *BANK)
 
     def spin(self, angle: float) -> None:
         """Nothing; counts what the spinner has turned faster than by itself, and gives points by the half turn."""
@@ -171,10 +175,6 @@ class Rules:
             self.lamps.put(OFF, *BUMPERS)
         return worth
 
-    def _slingshot(self, part: Part) -> int:
-        """What a slingshot gives."""
-        return SLINGSHOT
-
     def _target(self, part: Part) -> int:
         """What a target gives; a drop target goes down."""
         if part.name not in BANK:
@@ -203,7 +203,7 @@ class Rules:
         if self.lamps[self._skill] is BLINK:
             self.lamps.put(OFF, self._skill)
 
-    def _orbit(self, part: Part) -> int:
+    def _orbit(self) -> int:
         """What an orbit gives: more when it is lit, a jackpot in multiball."""
         if self.multiball:
             return self._next_jackpot()

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import hypot
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import carom
 from carom.play.pinball.events import EventKind
-from carom.play.pinball.lamps import BANK, BUMPERS, INLANES, LANES, ORBITS, OUTLANES, PLACED, TARGETS
+from carom.play.pinball.lamps import BANK, BUMPERS, INLANES, LANES, ORBITS, OUTLANES, TARGETS
 
 #: Seconds of a step, which is one substep: what is pressed acts on the very next one.
 STEP = 1.0 / 480.0
@@ -18,11 +18,8 @@ UP_SPEED, DOWN_SPEED = 22.0, 16.0
 IDLE_SPIN, MOST_SPIN = 2.5, 11.0
 
 BALL_RADIUS = 0.6
-#: A ball lies nearly here before it has rolled into the corner of the plunger; above `LANE_TOP` it has left the lane.
+#: A ball is put here, and rolls into the corner of the plunger.
 SERVE_PLACE = (19.3, 1.3)
-LANE_WALL, LANE_TOP = 18.6, 31.0
-MIDDLE = 9.3  # of the field
-WIDTH, DOME_CENTER, DOME_RADIUS = 20.0, (10.0, 32.0), 10.0
 
 _KINDS = {
     **dict.fromkeys(BUMPERS, EventKind.BUMPER),
@@ -37,6 +34,8 @@ _KINDS = {
     "spinner": EventKind.SPINNER,
     "drain": EventKind.DRAIN,
 }
+
+T = TypeVar("T", bound=carom.Shape | carom.Compound)
 
 
 class Part(NamedTuple):
@@ -96,18 +95,25 @@ class Table:
             self.world.remove(ball)
         #: Every part by the id of its shape, as hits name it.
         self.parts: dict[int, Part] = {}
-        #: Where the parts with lamps are, by the names of the lamps.
+        #: Where parts are, by their names; those of parts with lamps are the lamps' names too.
         self.places: dict[str, tuple[float, float]] = {}
         named: dict[str, list[carom.Shape]] = {}
         for name, shape in self._shapes():
             named.setdefault(name, []).append(shape)
         for name, shapes in named.items():
             self._note(name, shapes)
-        self.left, self.right = Flipper(self._compound("left flipper")), Flipper(self._compound("right flipper"))
-        self.spinner = self._compound("spinner")
-        (self.plunger,) = named["plunger"]
+        self.left, self.right = (
+            Flipper(self._one("left flipper", carom.Compound)),
+            Flipper(self._one("right flipper", carom.Compound)),
+        )
+        self.spinner = self._one("spinner", carom.Compound)
+        self.plunger = self._one("plunger", carom.Segment)
         self.plunger.kick = 0.0
+        self._gate, self._dome = self._one("launch gate", carom.Gate), self._one("dome", carom.Arc)
+        self._wall, self._drain = self.places["lane wall"][0], self.places["drain"][1]
         self.targets = {name: named[name] for name in BANK}
+        #: The middle of the field, in x.
+        self.middle = 0.5 * (self.left.shape.pivot[0] + self.right.shape.pivot[0])
         self.down: set[str] = set()
 
     def _shapes(self) -> Iterator[tuple[str, carom.Shape]]:
@@ -126,12 +132,11 @@ class Table:
         part = Part(name, _KINDS.get(name, EventKind.BOUNCE), (x, y))
         for shape in shapes:
             self.parts[shape.id or 0] = part
-        if name in PLACED:
-            self.places[name] = part.place
+        self.places[name] = part.place
 
-    def _compound(self, name: str) -> carom.Compound:
-        """The compound with a name."""
-        (found,) = [shape for shape in self.world.shapes if shape.name == name and isinstance(shape, carom.Compound)]
+    def _one(self, name: str, kind: type[T]) -> T:
+        """The shape of a kind with a name."""
+        (found,) = [shape for shape in self.world.shapes if shape.name == name and isinstance(shape, kind)]
         return found
 
     # -- what moves --------------------------------------------------------------------------------------------------
@@ -178,17 +183,19 @@ class Table:
 
     # -- where balls are ---------------------------------------------------------------------------------------------
 
-    @staticmethod
-    def in_lane(x: float, y: float) -> bool:
-        """Whether a ball at (x, y) is in the plunger lane or at its foot."""
-        return x > LANE_WALL and y < LANE_TOP
+    def beyond_lane(self, x: float, y: float) -> float:
+        """How far the centre of a ball at (x, y) is out of the plunger lane and the trough: past the launch gate."""
+        if x <= self._wall:
+            return y - self._drain
+        (gate_x, gate_y), (along, up) = self._gate.p0, self._gate.direction
+        return along * (x - gate_x) + up * (y - gate_y)
 
-    @staticmethod
-    def holds(x: float, y: float) -> bool:
-        """Whether a ball can be at (x, y): within the cabinet."""
-        if y > DOME_CENTER[1]:
-            return hypot(x - DOME_CENTER[0], y - DOME_CENTER[1]) < DOME_RADIUS
-        return 0.0 < x < WIDTH and y > 0.0
+    def holds(self, x: float, y: float) -> bool:
+        """Whether a ball at (x, y) is within the cabinet, where alone it can be."""
+        (center_x, center_y), radius = self._dome.center, self._dome.radius
+        if y > center_y:
+            return hypot(x - center_x, y - center_y) < radius
+        return center_x - radius < x < center_x + radius and y > 0.0
 
     def cradled(self, x: float, y: float) -> bool:
         """Whether a ball at (x, y) touches a raised flipper whose button is held."""
