@@ -19,8 +19,11 @@ LOOKS: dict[str, tuple[Colour, str]] = {
 }
 #: Pixels: above the tables, and between them.
 HEAD, GAP = 70, 10
-#: Seconds of the curves of lost balls, and between two points of them.
-SPAN, PAUSE = 60.0, 0.25
+#: Seconds of the curves of lost balls, at least and at most, and between two points of them.
+LEAST_SPAN, MOST_SPAN, PAUSE = 10.0, 60.0, 0.25
+#: Lost balls that the curves have room for, at least.
+LEAST_COUNT = 4
+TRY = "Both tables are given the same launches. Try few motion iterations and fast balls, then launch n."
 
 
 def areas(area: pygame.Rect) -> list[pygame.Rect]:
@@ -42,28 +45,34 @@ class Losses:
         self._time += seconds
         if not self._points or self._time - self._points[-1][0] >= PAUSE:
             self._points.append((self._time, counts))
-        while self._points[0][0] < self._time - SPAN:
+        while self._points[0][0] < self._time - MOST_SPAN:
             self._points.popleft()
 
     def draw(self, surface: pygame.Surface, letters: Letters, area: pygame.Rect, kinds: Sequence[str]) -> None:
-        """Nothing; draws a curve for each table."""
-        letters.draw(surface, "balls lost through walls, over the last minute", area.topleft, 12, colours.MUTED)
-        chart = pygame.Rect(area.left, area.top + 24, area.width - 40, area.height - 24)
-        pygame.draw.line(surface, colours.RULE, chart.bottomleft, chart.bottomright)
-        most = max(4, *(max(counts) for _, counts in self._points))
+        """Nothing; draws a curve for each table, and what to look for."""
+        letters.draw(surface, "Balls lost through walls", area.topleft, 14, colours.TEXT)
+        letters.draw(surface, TRY, (area.left, area.top + 22), 12, colours.MUTED)
+        chart = pygame.Rect(area.left, area.top + 52, area.width - 44, area.height - 74)
+        span = max(LEAST_SPAN, self._time - self._points[0][0])
+        most = max(LEAST_COUNT, *(max(counts) for _, counts in self._points))
+        for part in (0.0, 0.5, 1.0):
+            y = chart.bottom - round(part * chart.height)
+            pygame.draw.line(surface, colours.RULE, (chart.left, y), (chart.right, y))
+        letters.draw(surface, f"{span:.0f} s ago", (chart.left, chart.bottom + 4), 11, colours.FAINT)
+        letters.draw(surface, "now", (chart.right, chart.bottom + 4), 11, colours.FAINT, anchor="end")
         for place in reversed(range(len(kinds))):
             colour = LOOKS[kinds[place]][0]
             points = [
                 (
-                    chart.right - (self._time - time) / SPAN * chart.width,
-                    chart.bottom - 1 - counts[place] / most * (chart.height - 4),
+                    chart.right - (self._time - time) / span * chart.width,
+                    chart.bottom - counts[place] / most * chart.height,
                 )
                 for time, counts in self._points
             ]
-            if len(points) > 1:
-                pygame.draw.lines(surface, colour, False, points, 3)
+            points.append((float(chart.right), points[-1][1]))
+            pygame.draw.lines(surface, colour, False, points, 3)
             last = self._points[-1][1][place]
-            letters.draw(surface, short(last), (chart.right + 8, points[-1][1] - 8), 14, colour)
+            letters.draw(surface, short(last), (chart.right + 10, points[-1][1] - 11), 15, colour)
 
 
 def draw_captions(surface: pygame.Surface, letters: Letters, views: Sequence[View], kinds: Sequence[str]) -> None:

@@ -8,10 +8,13 @@ from dataclasses import dataclass
 import carom
 from carom import draw
 from carom.play.toy.table import Table
+from carom.play.window import RATE
 
 #: Seconds between two readings, and seconds that a rate is the mean of.
 PAUSE, MEMORY = 0.2, 1.0
 COUNTED = ("box_tests", "full_tests", "collisions")
+#: Settings that say how many box tests an iteration makes.
+ALIKE = ("detection", "broad_phase", "levels", "gravity", "max_speed")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +76,7 @@ class Figures:
     def __init__(self, table: Table) -> None:
         self._table = table
         self._readings: deque[tuple[float, list[int]]] = deque()
-        self._twin = carom.World()
+        self._twin = Twin(table.world)
         self._time = 0.0
         self.rates = Rates()
         self._read()
@@ -98,14 +101,37 @@ class Figures:
         began, before = self._readings[0]
         seconds = max(self._time - began, 1e-9)
         rates = [(now - then) / seconds for now, then in zip(counts, before, strict=True)]
-        self.rates = Rates(self.tests_once(), *rates)
+        self.rates = Rates(self._twin.box_tests(), *rates)
 
-    def tests_once(self) -> int:
-        """The box tests of one iteration, made on a copy of the world: the first of a motion iteration."""
-        world, twin = self._table.world, self._twin
-        twin.restore(world.snapshot())
-        twin.statistics.reset()
-        length = 1.0 / (60.0 * twin.substeps)
+
+class Twin:
+    """A second world with the same shapes, in which one iteration is made to count its box tests."""
+
+    def __init__(self, world: carom.World) -> None:
+        self._world = world
+        self._twin: carom.World = carom.Scene(shapes=list(world.shapes)).build()
+
+    def box_tests(self) -> int:
+        """The box tests of the first iteration that would be made now, if all balls were awake."""
+        world, twin = self._world, self._twin
+        for name in ALIKE:
+            setattr(twin, name, getattr(world, name))
+        for ours, theirs in zip(twin.shapes, world.shapes, strict=True):
+            if isinstance(theirs, carom.Compound):
+                ours.orientation = theirs.orientation
+        self._copy_balls()
         twin.substeps = twin.iterations = 1
-        twin.step(length)
+        twin.statistics.reset()
+        twin.step(1.0 / (RATE * world.substeps))
         return twin.statistics.box_tests
+
+    def _copy_balls(self) -> None:
+        """Nothing; puts as many balls into the twin, and makes them alike."""
+        balls, copies = self._world.balls, self._twin.balls
+        missing = len(balls) - len(copies)
+        if missing > 0:
+            self._twin.add_balls(balls.position[:missing], radius=1.0)
+        for ball in copies[len(balls) :]:
+            self._twin.remove(ball)
+        for name in ("position", "velocity", "radius"):
+            getattr(copies, name)[:] = getattr(balls, name)

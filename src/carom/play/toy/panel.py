@@ -183,7 +183,7 @@ class Panel:
             Heading: self._draw_heading,
             Numbers: self._draw_numbers,
             Slider: self._draw_slider,
-            Choice: lambda row, y: self._label(row.words, y + 8),
+            Choice: lambda row, y: self._label(row.words, y + 5),
             Buttons: lambda row, y: None,
         }
         for row, y in self._rows:
@@ -218,7 +218,7 @@ class Panel:
             self._letters.draw(self._picture, words, (x, y + 21), SMALL - 2, colours.FAINT)
 
     def _draw_slider(self, row: Slider, y: int) -> None:
-        self._label(row.words, y + 6)
+        self._label(row.words, y + 3)
         text = row.text(self._desk.value(row.name))
         right = self._area.width - SIDE
-        self._letters.draw(self._picture, text, (right, y + 6), SMALL, colours.TEXT, anchor="end")
+        self._letters.draw(self._picture, text, (right, y + 3), SMALL, colours.TEXT, anchor="end")

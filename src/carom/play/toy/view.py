@@ -87,6 +87,15 @@ class View:
     def draw(self, surface: pygame.Surface) -> None:
         """Nothing; draws the table."""
         self._live.draw(surface.subsurface(self.area))
+        if self.table.world.statistics.sleeping:
+            for ball in self.table.world.balls:
+                if ball.asleep:
+                    self._hollow(surface, ball)
+
+    def _hollow(self, surface: pygame.Surface, ball: carom.Ball) -> None:
+        """Nothing; makes a ring of a ball that sleeps."""
+        inside = ball.radius * self._live.frame.scale - WIDE
+        pygame.draw.aacircle(surface, colours.STAGE, self.pixel(ball.position), max(1.0, inside))
 
     def mark(self, surface: pygame.Surface, shape: Any) -> None:
         """Nothing; marks the shape that the mouse points at."""
