@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.conventions.source_trees import (
+    PACKAGE,
     ROOT,
     Function,
     functions,
@@ -118,3 +119,19 @@ def test_a_long_function_is_seen() -> None:
 @pytest.mark.parametrize("text", ["see /home/someone/x", "/tmp/plan", "TODO later", "as issue 12 asks", "shared/spec"])
 def test_a_foreign_word_is_seen(text: str) -> None:
     assert MACHINE_PATH.search(text) or WORKING_NOTE.search(text)
+
+
+@pytest.mark.parametrize("path", sorted((PACKAGE / "play").rglob("*.py")), ids=named)
+def test_games_use_no_private_names_of_others(path: Path) -> None:
+    own = {node.attr for node in ast.walk(tree(path)) if isinstance(node, ast.Attribute) and is_own(node.value)}
+    others = [
+        ast.unparse(node)
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.Attribute) and re.match(r"_(?!_)", node.attr) and not is_own(node.value)
+    ]
+    assert [name for name in others if name.rpartition(".")[2] not in own] == []
+
+
+def is_own(node: ast.expr) -> bool:
+    """Whether an expression is the object or the class whose method it stands in."""
+    return isinstance(node, ast.Name) and node.id in {"self", "cls"}

@@ -8,7 +8,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from carom.cli import commands
+from carom.cli import commands, games
 from carom.cli.mistakes import Mistake
 from carom.cli.quantities import non_negative, number, positive
 from carom.cli.view import View
@@ -17,7 +17,7 @@ from carom.errors import CaromError, RecordingError, SceneError
 
 app = typer.Typer(
     name="carom",
-    help="Exact, fast 2D collisions: run a scene, look at it, check it.",
+    help="Exact, fast 2D collisions: run a scene, look at it, check it, play.",
     epilog="SCENE is a scene file (.toml, .json) or the name of a shipped scene. "
     "Exit status: 0 done, 1 a failure of the program or the machine, 2 a mistake in what was asked.",
     no_args_is_help=True,
@@ -37,6 +37,10 @@ Layers = Annotated[
         help="What a picture shows, and a page at first, separated by commas: all, or some of "
         f"{', '.join(sorted(Layer))}. By default shapes, sensors, balls, hits and tracks.",
     ),
+]
+Seconds = Annotated[
+    str | None,
+    typer.Option("--seconds", metavar="S", help="Close the window after so long, and print what frames took."),
 ]
 Size = Annotated[str | None, typer.Option(metavar="PIXELS", help="Size of a picture: 1280x720, or its longer side.")]
 
@@ -77,7 +81,8 @@ def run(
         typer.Option(
             metavar="FILE",
             help="Write a file, by its ending: .svg or .png a picture of the run, .gif or .mp4 an animation, "
-            ".html a page that plays it, .carom the recording, .csv all hits, .toml the end state as a scene. "
+            ".html a page that plays it, .carom the recording, .csv or .parquet all hits, "
+            ".toml the end state as a scene. "
             "Can be given several times.",
         ),
     ] = None,
@@ -131,3 +136,39 @@ def scenes(
         commands.print_schema()
     else:
         commands.list_scenes()
+
+
+@app.command()
+def toy(
+    chart: Annotated[
+        bool, typer.Option("--chart", help="Write a chart of box tests against balls instead, for the broad phases.")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="The chart, .svg, .png or .pdf. By default toy-chart.svg, here.")
+    ] = None,
+    seconds: Seconds = None,
+) -> None:
+    """Play with collisions: the table, and a panel with everything that can be changed, counted and shown."""
+    if chart:
+        games.toy_chart(out or Path("toy-chart.svg"))
+    elif out is not None:
+        raise Mistake(f"--out {out}: is for --chart")
+    else:
+        games.toy(span(seconds))
+
+
+@app.command()
+def pinball(seconds: Seconds = None) -> None:
+    """Play pinball: the flippers are the shift keys, space is the plunger, F1 is help."""
+    games.pinball(span(seconds))
+
+
+@app.command()
+def pool(seconds: Seconds = None) -> None:
+    """Play the end of a game of pool: the mouse aims, its button draws the cue back, F1 is help."""
+    games.pool(span(seconds))
+
+
+def span(seconds: str | None) -> float | None:
+    """How long a game is to be played, or None for as long as the player likes."""
+    return None if seconds is None else positive("--seconds", seconds)

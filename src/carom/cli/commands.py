@@ -62,7 +62,7 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
             steps,
             dt,
             tell=bar.tell,
-            keep_hits=files.HITS in endings,
+            keep_hits=not set(files.HITS).isdisjoint(endings),
             follow=not set(files.STILLS).isdisjoint(endings),
             recorder=recorder,
         )
@@ -103,6 +103,9 @@ def show(scene: str, out: Path | None, view: View, at: float | None) -> None:
         world = source.scene().build()
         files.write_all([path], files.writers_of_picture(lambda: still(source, world, view), view))
         return
+    first, last = float(recording.times[0]), float(recording.times[-1])
+    if at is not None and not first <= at <= last:
+        raise Mistake(f"--at {at:g}: the recording goes from {first:g} to {last:g} s")
     frame = len(recording) - 1 if at is None else recording.frame_at(at)
 
     def picture() -> draw.Picture:

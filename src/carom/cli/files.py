@@ -9,7 +9,7 @@ import typer
 
 from carom import draw
 from carom.cli import outputs, report
-from carom.cli.hits_file import write_hits
+from carom.cli.hits_file import write_hits, write_hits_table
 from carom.draw.movie import encoder
 from carom.draw.page import replay_page
 from carom.errors import CaromError
@@ -31,10 +31,11 @@ if TYPE_CHECKING:
     #: How the file of an ending is written.
     Writers = Mapping[str, Callable[[Path], None]]
 
-SVG, PNG, GIF, MP4, PAGE, RUN, HITS, STATE = ".svg", ".png", ".gif", ".mp4", ".html", ".carom", ".csv", ".toml"
+SVG, PNG, GIF, MP4, PAGE, RUN, STATE = ".svg", ".png", ".gif", ".mp4", ".html", ".carom", ".toml"
+HITS = (CSV, PARQUET) = (".csv", ".parquet")
 STILLS, FILMS = (SVG, PNG), (GIF, MP4)
 #: What `run` can write, and what `show` can of a scene and of a recording.
-OF_RUN = (*STILLS, *FILMS, PAGE, RUN, HITS, STATE)
+OF_RUN = (*STILLS, *FILMS, PAGE, RUN, *HITS, STATE)
 OF_SCENE = STILLS
 OF_RECORDING = (*STILLS, *FILMS, PAGE)
 #: The files that need every frame of a run.
@@ -47,6 +48,8 @@ def check_extras(endings: Collection[str]) -> None:
         needed("pygame", "pygame-ce", "draw", "raster pictures")
     if not set(FILMS).isdisjoint(endings):
         encoder()
+    if PARQUET in endings:
+        needed("pyarrow.parquet", "pyarrow", "study", "Parquet files")
 
 
 def writers_of_run(source: Source, world: World, outcome: Outcome, view: View) -> Writers:
@@ -67,11 +70,14 @@ def writers_of_run(source: Source, world: World, outcome: Outcome, view: View) -
     def hits(path: Path) -> None:
         write_hits(path, outcome.hits, names_in(world))
 
+    def hits_table(path: Path) -> None:
+        write_hits_table(path, outcome.hits, names_in(world))
+
     def state(path: Path) -> None:
         Scene.from_world(world).save(path)
 
     recorded = {} if outcome.recording is None else writers_of_recording(outcome.recording, view)
-    return {HITS: hits, STATE: state, **recorded, **writers_of_picture(picture, view)}
+    return {CSV: hits, PARQUET: hits_table, STATE: state, **recorded, **writers_of_picture(picture, view)}
 
 
 def writers_of_picture(picture: Callable[[], Picture], view: View) -> Writers:

@@ -38,7 +38,8 @@ if TYPE_CHECKING:
 LARGEST_KEPT, MOST_KEPT = 96, 4000
 #: Small circles stand at places of a grid that is so many times finer than the pixels, to be drawn once for many.
 FINER_PLACES = 4
-#: What a quick painter draws as pygame does: lines up to so many pixels wide, and areas with up to so many corners.
+#: What a quick painter draws as pygame does: faint lines, lines up to so many pixels wide, and areas with up to so many
+#: corners.
 QUICK_WIDTH, QUICK_CORNERS = 3.0, 4
 #: Pixels: how far apart the corners are of the line that a quick painter draws an arc as.
 QUICK_STEP = 5.0
@@ -100,6 +101,10 @@ class RasterPainter:
     def circle(self, center: Vector, radius: float, style: Style) -> None:
         """Draw a circle."""
         (x, y), pixels = self._pixel(*center), radius * self._frame.scale * self._zoom
+        if style.stroke is not None and style.fill is None and not style.dash and self._is_quick(style):
+            width, colour = style.width * self._zoom, self._mixed(style.stroke, style.opacity)
+            self._pygame.draw.aacircle(self.surface, colour, (x, y), pixels + 0.5 * width, max(1, round(width)))
+            return
         if 2.0 * pixels < LARGEST_KEPT:
             self._small_circle(x, y, pixels, style)
             return
@@ -246,7 +251,7 @@ class RasterPainter:
 
     def _is_quick(self, style: Style) -> bool:
         """Whether a line of some style is to be drawn as pygame does."""
-        return self.quick and style.opacity == 1.0 and style.width <= QUICK_WIDTH
+        return self.quick and (style.width <= QUICK_WIDTH or style.opacity < 1.0)
 
     def _quick_line(self, places: Sequence[Vector], style: Style, ink: str) -> None:
         """Draw a line as pygame does: of whole pixels' width, in the colour that it has on the stage."""

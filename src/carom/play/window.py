@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
 import pygame
@@ -66,7 +67,8 @@ class Window:
             if event.type == pygame.QUIT:
                 game.running = False
             elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
-                pygame.display.toggle_fullscreen()
+                with suppress(pygame.error):  # some screens cannot be filled
+                    pygame.display.toggle_fullscreen()
             else:
                 game.handle(event)
         game.advance(min(seconds, LONGEST_FRAME))
@@ -105,12 +107,17 @@ def check_screen() -> None:
 
 
 def open_screen(size: tuple[int, int]) -> pygame.Surface:
-    """The surface of a window that shows a picture of `size` pixels, scaled to whatever size the window has."""
+    """The surface of a window that shows a picture of `size` pixels, scaled to whatever size the window has.
+
+    A picture that is larger than the screen has all of it.
+    """
     check_screen()
+    width, height = pygame.display.get_desktop_sizes()[0]
+    how = pygame.RESIZABLE if size[0] <= width and size[1] <= height else pygame.FULLSCREEN
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # it warns of slow renderers, which the frame rate shows
-            return pygame.display.set_mode(size, pygame.SCALED | pygame.RESIZABLE)
+            return pygame.display.set_mode(size, pygame.SCALED | how)
     except pygame.error as error:
         raise NoDisplay(f"no window of {size[0]} by {size[1]} pixels can be opened: {error}") from None
 

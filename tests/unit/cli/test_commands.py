@@ -83,6 +83,31 @@ def test_a_run_writes_what_is_asked_for_and_nothing_else(here: Path, capsys: pyt
     assert [(float(line[6]), float(line[7])) for line in lines] == [tuple(point) for point in hits["point"].tolist()]
 
 
+def test_a_table_of_hits_holds_what_the_csv_file_does(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet", reason='no pyarrow: pip install "carom[study]"')
+    outs = ("--out", "run.csv", "--out", "run.parquet")
+    status, out, _ = carom_says(capsys, "run", "good.toml", "--seconds", "1", *outs)
+    assert status == 0
+    assert "wrote run.parquet" in out
+    table = parquet.read_table(here / "run.parquet")
+    assert tuple(table.column_names) == COLUMNS
+    with (here / "run.csv").open(newline="") as file:
+        _, *lines = csv.reader(file)
+    assert len(lines) > 0
+    rows = table.to_pylist()
+    assert [["" if value is None else str(value) for value in row.values()] for row in rows] == lines
+
+
+def test_a_table_of_hits_needs_pyarrow(
+    here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
+    status, _, err = carom_says(capsys, "run", "good.toml", "--seconds", "1", "--out", "run.parquet")
+    assert status == 1
+    assert err == 'carom: Parquet files need pyarrow: pip install "carom[study]"\n'
+    assert not (here / "run.parquet").exists()
+
+
 @pytest.mark.usefixtures("here")
 def test_a_run_of_no_time_is_the_scene_as_it_stands(capsys: pytest.CaptureFixture[str]) -> None:
     status, out, _ = carom_says(capsys, "run", "good.toml", "--seconds", "0", "--out", "same.toml")
@@ -112,7 +137,7 @@ def test_a_shipped_scene_runs_by_its_name(here: Path, capsys: pytest.CaptureFixt
         (("run", "good.toml", "--seconds", "1e300"), "more than 1e+12 steps"),
         (
             ("run", "good.toml", "--out", "run.bmp"),
-            "run.bmp: its ending must be one of .svg, .png, .gif, .mp4, .html, .carom, .csv, .toml",
+            "run.bmp: its ending must be one of .svg, .png, .gif, .mp4, .html, .carom, .csv, .parquet, .toml",
         ),
         (("run", "good.toml", "--layers", "hit"), "--layers hit: no such layer; did you mean hits?"),
         (("run", "good.toml", "--layers", "balls,zzz"), "--layers zzz: no such layer; there are cells, boxes,"),

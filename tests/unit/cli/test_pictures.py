@@ -85,6 +85,8 @@ def test_a_recording_is_drawn_later(here: Path, capsys: pytest.CaptureFixture[st
     assert capsys.readouterr().out == "drop: good: 31 frames, 1 ball, 1 hit\n"
     assert status_of("show", "drop.carom", "--at", "0.2", *outs("later.html")) == 2
     assert capsys.readouterr().err == "carom: --at 0.2: is for pictures; later.html shows the whole run\n"
+    assert status_of("show", "drop.carom", "--at", "99", *outs("later.svg")) == 2
+    assert capsys.readouterr().err.startswith("carom: --at 99: the recording goes from 0 to ")
     assert status_of("run", "drop.carom") == 2
     assert "carom show makes pictures of it" in capsys.readouterr().err
 
