@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 
-
 import pygame
 
 import carom
@@ -37,6 +36,7 @@ class Toy:
     Attributes:
         desk: The tables and all switches.
         views: The tables as they are shown.
+        meter: How long frames take.
     """
 
     title = "carom: Collision Math Toy"
@@ -50,11 +50,13 @@ class Toy:
         self._controls: Controls[str] = Controls(KEYS, BUTTONS, tell)
         self._speaker = Speaker(ticks(), tell)
         self._ticker = Ticker(STEP)
-        self._meter = FrameMeter(RATE)
+        self.meter = FrameMeter(RATE)
         self._losses = beside.Losses()
         self._mouse = (-1, -1)
+        self._grip: View | None = None
         self._seen: Settings | None = None
         self.views: tuple[View, ...] = ()
+        self._told: tuple[View, ...] = ()
 
     @cached_property
     def panel(self) -> Panel:
@@ -101,14 +103,14 @@ class Toy:
             place = view.place(event.pos)
             ball = ball_at(view.table.world, place, view.reach)
             if ball is not None:
+                self._grip = view
                 self.desk.hand.take(ball, place)
 
     def _point(self, pixel: tuple[int, int]) -> None:
         """Nothing; the mouse is somewhere else now."""
-        view = self._view_at(self._mouse) or self._view_at(pixel)
         self._mouse = pixel
-        if self.desk.hand.ball is not None and view is not None:
-            self.desk.hand.move(view.place(pixel))
+        if self.desk.hand.ball is not None and self._grip is not None:
+            self.desk.hand.move(self._grip.place(pixel))
 
     def _view_at(self, pixel: tuple[int, int]) -> View | None:
         """The table that a pixel is on, or None."""
@@ -118,7 +120,7 @@ class Toy:
 
     def advance(self, seconds: float) -> None:
         """Nothing; so much time has gone by."""
-        self._meter.begin()
+        self.meter.begin()
         self._agree()
         self.desk.hand.wait(seconds)
         parts = self.desk.advance(self._ticker.due(seconds))
@@ -150,13 +152,15 @@ class Toy:
     def _count(self, seconds: float) -> None:
         """Nothing; reads the figures, a few times a second."""
         news = [view.figures.wait(seconds) for view in self.views]
+        news.append(self._told is not self.views)
         if len(self.views) > 1:
             self._losses.wait(seconds, tuple(view.table.strays for view in self.views))
         if any(news):
+            self._told = self.views
             for view in self.views:
                 view.measure()
             self.panel.show(
-                figure_texts(self.views, self.desk.lane.waiting) | {"load": load_text(self._meter)}, self._meter.share
+                figure_texts(self.views, self.desk.lane.waiting) | {"load": load_text(self.meter)}, self.meter.share
             )
 
     # -- its picture -------------------------------------------------------------------------------------------------
@@ -172,7 +176,7 @@ class Toy:
         if self.desk.help:
             draw_help(surface, self._letters, self._stage)
         self.panel.draw(surface)
-        self._meter.end()
+        self.meter.end()
 
     def _draw_beside(self, surface: pygame.Surface) -> None:
         """Nothing; draws what is around two tables."""
@@ -204,14 +208,18 @@ class Toy:
 
 def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
     """The times of all frames of a toy that was played with until it was closed, or `seconds` were over."""
-    return play(lambda: warm(Toy(tell)), seconds)
+
+    def ready() -> Toy:
+        warm_up()
+        return Toy(tell)
+
+    return play(ready, seconds)
 
 
-def warm(toy: Toy) -> Toy:
-    """The toy, once both kinds of steps are compiled: a table that is shown must not stop for that."""
+def warm_up() -> None:
+    """Nothing; has both kinds of steps compiled: a table that is shown must not stand still for that."""
     for detection in ("discrete", "continuous"):
         world = carom.World(detection=detection)
         world.add(carom.Ball((0.0, 0.0), radius=1.0))
         world.step(STEP)
         world.overlapping(carom.Aabb(0.0, 0.0, 1.0, 1.0))
-    return toy

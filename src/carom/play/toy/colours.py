@@ -46,7 +46,12 @@ def theme(font: dict[str, str]) -> dict[str, Any]:
         "disabled_border": hexed(RULE),
     }
     shape = {"shape": "rounded_rectangle", "shape_corner_radius": "4", "border_width": "1", "shadow_width": "0"}
-    handle = {"normal_bg": hexed(ACCENT), "hovered_bg": hexed(TEXT), "active_bg": hexed(TEXT), "selected_bg": hexed(TEXT)}
+    handle = {
+        "normal_bg": hexed(ACCENT),
+        "hovered_bg": hexed(TEXT),
+        "active_bg": hexed(TEXT),
+        "selected_bg": hexed(TEXT),
+    }
     return {
         "defaults": {"colours": colours, "font": font},
         "button": {"misc": shape, "font": font},

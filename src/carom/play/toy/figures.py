@@ -117,7 +117,7 @@ class Twin:
         for name in ALIKE:
             setattr(twin, name, getattr(world, name))
         for ours, theirs in zip(twin.shapes, world.shapes, strict=True):
-            if isinstance(theirs, carom.Compound):
+            if isinstance(ours, carom.Compound) and isinstance(theirs, carom.Compound):
                 ours.orientation = theirs.orientation
         self._copy_balls()
         twin.substeps = twin.iterations = 1

@@ -14,6 +14,8 @@ Vector: TypeAlias = tuple[float, float]
 
 #: Seconds: a throw has the velocity that the mouse had, on average, for so long before.
 MEMORY = 0.1
+#: Seconds without an event of the mouse after which it has stopped.
+STILL = 0.05
 #: How much of the way to the mouse a held ball goes in a step.
 EAGERNESS = 0.5
 #: In radii a motion iteration: how fast a held ball is at most, so that walls hold it.
@@ -61,8 +63,15 @@ class Hand:
         """The velocity of the mouse, in units of the table a real second."""
         if not self._way:
             return 0.0, 0.0
-        began, (x, y) = self._way[0]
-        seconds = max(self._time - max(began, self._time - MEMORY), 1e-3)
+        # A mouse that has just moved moves still; one that has not for a while has stopped.
+        last = self._way[-1][0]
+        end = last if self._time - last < STILL else self._time
+        (began, (x, y)), then = self._way[0], end - MEMORY
+        if began < then and len(self._way) > 1:
+            after, (next_x, next_y) = self._way[1]
+            part = min(1.0, (then - began) / (after - began))
+            x, y = x + part * (next_x - x), y + part * (next_y - y)
+        seconds = max(end - max(began, then), 1e-3)
         vx, vy = (self.target[0] - x) / seconds, (self.target[1] - y) / seconds
         scale = min(1.0, FASTEST / max(hypot(vx, vy), 1e-9))
         return scale * vx, scale * vy

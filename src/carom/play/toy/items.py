@@ -84,13 +84,15 @@ ROWS: tuple[Row, ...] = (
     Slider("size", "next size", 0.1, 0.6, 0.05),
     Slider("speed", "next speed", 1, 150, 1),
     Slider("count", "how many", 1, 100, 1),
-    Buttons((("launch", "launch"), ("launch many", "launch n"), ("clear", "clear"), ("help", "help"), ("quit", "quit"))),
+    Buttons(
+        (("launch", "launch"), ("launch many", "launch n"), ("clear", "clear"), ("help", "help"), ("quit", "quit"))
+    ),
     Heading("Collision"),
     Numbers((("box tests once", "box tests an iteration"), ("box tests", "box tests a second"))),
     Numbers((("full tests", "full tests a second"), ("collisions", "collisions a second"))),
     Choice("broad_phase", "broad phase", (("brute", "brute"), ("quadtree", "quadtree"), ("grid", "grid"))),
     Slider("levels", "levels", 1, 10, 1),
-    Numbers((("nodes", "nodes"), ("leaves", "leaves, cells"), ("leaf size", "size of one"), ("most", "most in one"))),
+    Numbers((("nodes", "nodes"), ("leaves", "leaves, cells"), ("leaf size", "leaf size"), ("most", "most in a leaf"))),
     Slider("motion", "motion iter.", 1, 16, 1),
     Slider("collision", "collision iter.", 1, 16, 1),
     Choice(
@@ -101,7 +103,7 @@ ROWS: tuple[Row, ...] = (
     Choice("restitution", "restitution", (("normal", "normal"), ("total", "total"))),
     Slider("gravity", "gravity", 0.0, 30.0, 0.5),
     Slider("friction", "friction", 0.0, 10.0, 0.1),
-    Slider("sleep", "sleep below", 0.0, 3.0, 0.05),
+    Slider("sleep", "sleep below", 0.0, 1.0, 0.05),
     Heading("Time and sound"),
     Choice("pace", "pace", tuple((pace, "real time" if pace == 1 else f"1/{pace}") for pace in PACES)),
     Buttons((("paused", "pause"), ("step", "step"), ("rotating", "rotate"), ("muted", "mute"))),

@@ -74,6 +74,14 @@ HELP: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
         tuple((str(place), name) for place, name in enumerate(SHOWN, 1)),
     ),
     (
+        "Who tunnels?",
+        (
+            ("D", "twice: two tables side by side"),
+            ("", "motion iterations down to 1"),
+            ("N", "at the highest speed"),
+        ),
+    ),
+    (
         "Window",
         (("F1 or H", "this help"), ("F11", "full screen"), ("Esc", "quit")),
     ),

@@ -22,13 +22,15 @@ BUTTON, TRACK = 24, 14
 SPARE = 5
 #: Positions that a slider can stand at; more than it has pixels.
 POSITIONS = 1000
+#: Pixels: how far from a knob the mouse still drags it.
+HOLD = 4000
 #: Pixels: letters of labels, of figures, of headings.
 SMALL, LARGE = 12, 15
 FONT = {"name": "noto_sans", "size": "12"}
 MOUSE = {pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP}
 
 
-class Manager(pygame_gui.UIManager):  # type: ignore[misc] # published without types
+class Manager(pygame_gui.UIManager):
     """Keeps pygame_gui's buttons; told where the mouse is by its events, as the rest of the toy is."""
 
     pointer: tuple[int, int] = (-1, -1)
@@ -80,6 +82,7 @@ class Panel:
         width = self._area.width - 2 * SIDE - LABELS - VALUES
         rect = pygame.Rect(SIDE + LABELS, y + (HEIGHTS[Slider] - TRACK) // 2, width, TRACK)
         slider = pygame_gui.elements.UIHorizontalSlider(rect, 0, (0, POSITIONS), self._manager)
+        slider.sliding_button.set_hold_range((HOLD, HOLD))
         self._sliders[slider] = row
 
     def _make_choice(self, row: Choice, y: int) -> None:
@@ -179,24 +182,26 @@ class Panel:
         self._picture.fill(colours.STAGE)
         pygame.draw.line(self._picture, colours.RULE, (0, 0), (0, self._area.height))
         drawers: Mapping[type, Callable[[Any, int], None]] = {
-            Gauge: self._draw_gauge,
+            Gauge: lambda _, y: self._draw_gauge(y),
             Heading: self._draw_heading,
             Numbers: self._draw_numbers,
             Slider: self._draw_slider,
             Choice: lambda row, y: self._label(row.words, y + 5),
-            Buttons: lambda row, y: None,
         }
         for row, y in self._rows:
-            drawers[type(row)](row, y)
+            if type(row) in drawers:
+                drawers[type(row)](row, y)
         self._manager.draw_ui(self._picture)
 
     def _label(self, words: str, y: float) -> None:
         self._letters.draw(self._picture, words, (SIDE, y), SMALL, colours.MUTED)
 
-    def _draw_gauge(self, row: Gauge, y: int) -> None:
+    def _draw_gauge(self, y: int) -> None:
         right = self._area.width - SIDE
         self._letters.draw(self._picture, "Collision Math Toy", (SIDE, y + 12), LARGE, colours.TEXT)
-        self._letters.draw(self._picture, self._texts.get("load", ""), (right, y + 14), SMALL, colours.MUTED, anchor="end")
+        self._letters.draw(
+            self._picture, self._texts.get("load", ""), (right, y + 14), SMALL, colours.MUTED, anchor="end"
+        )
         bar = pygame.Rect(SIDE, y + 38, self._area.width - 2 * SIDE, 6)
         pygame.draw.rect(self._picture, colours.PAPER, bar, border_radius=3)
         colour = colours.GOOD if self._share < 0.5 else colours.WARM if self._share < 0.9 else colours.BAD

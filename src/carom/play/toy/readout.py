@@ -15,7 +15,7 @@ HINTS = (
     ("Space", "launch a ball"),
     ("drag a ball", "throw it"),
     ("point at a shape", "read its numbers"),
-    ("R", "turn the blue parts"),
+    ("R", "rotate the blue parts"),
     ("F1", "all keys"),
 )
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import carom
 
 
-
 class Table:
     """The scene `toy` as a world, with what the toy wants to know of it.
 

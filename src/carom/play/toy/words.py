@@ -8,6 +8,9 @@ from carom.play.meter import FrameMeter
 from carom.play.toy.figures import Tree
 from carom.play.toy.view import View
 
+#: What stands for a number where there is none.
+NONE = "-"
+
 
 def short(number: float) -> str:
     """A number of at most five characters: 7, 950, 1.2k, 34M."""
@@ -42,10 +45,10 @@ def figure_texts(views: Sequence[View], waiting: int) -> dict[str, str]:
 def tree_texts(tree: Tree) -> dict[str, str]:
     """What the broad phase looks like; dashes for what it does not have."""
     return {
-        "nodes": str(tree.nodes or "–"),
-        "leaves": str(tree.leaves or "–"),
-        "leaf size": f"{tree.width:.2g} × {tree.height:.2g}" if tree.leaves else "–",
-        "most": str(tree.most or "–"),
+        "nodes": str(tree.nodes or NONE),
+        "leaves": str(tree.leaves or NONE),
+        "leaf size": f"{tree.width:.2g} by {tree.height:.2g}" if tree.leaves else NONE,
+        "most": str(tree.most or NONE),
     }
 
 
