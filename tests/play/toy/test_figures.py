@@ -75,6 +75,30 @@ def test_rates_begin_anew_when_the_table_was_cleared() -> None:
     assert (figures.rates.box_tests, figures.rates.box_tests_once) == (0.0, 0)
 
 
+def test_no_rate_is_below_0_when_a_table_that_was_played_on_is_cleared() -> None:
+    table = Table()
+    figures = Figures(table)
+    for _ in range(8):
+        table.step(1 / 60)
+        figures.wait(PAUSE)
+    assert figures.rates.box_tests > 0.0
+    table.clear()
+    figures.wait(PAUSE)
+    assert figures.rates.box_tests == 0.0
+
+
+def test_a_twin_turns_what_the_world_has_turned() -> None:
+    world = carom.World(broad_phase="grid", substeps=1, iterations=1)
+    arm = world.add(carom.Compound([carom.Point((20, 0))], pivot=(0, 0), rotating=False))
+    world.add(carom.Ball((-20, 0.6), radius=0.5))
+    twin = Twin(world)
+    assert twin.box_tests() == 0
+    arm.orientation = 3.141592653589793
+    before = twin.box_tests()
+    world.step(1 / 60)
+    assert before == world.statistics.box_tests > 0
+
+
 def test_a_quadtree_has_nodes_leaves_and_no_more_shapes_in_one_than_it_says() -> None:
     table = Table()
     table.world.broad_phase = "quadtree"

@@ -45,6 +45,14 @@ def test_a_mouse_that_has_stopped_throws_nothing() -> None:
     assert ball.velocity == (0.0, 0.0)
 
 
+def test_a_mouse_that_is_stopping_throws_slowly() -> None:
+    hand, table, ball = held((10.0, 20.0))
+    sweep(hand, [(10.0 + 0.2 * step, 20.0) for step in range(1, 12)])
+    hand.wait(0.7 * MEMORY)
+    hand.throw([table])
+    assert 0.0 < ball.velocity[0] < 0.5 * 0.2 / FRAME
+
+
 def test_a_throw_has_a_greatest_speed() -> None:
     hand, table, ball = held((10.0, 20.0))
     sweep(hand, [(10.0 + 9.0 * step, 20.0) for step in range(1, 9)])

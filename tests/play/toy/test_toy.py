@@ -6,7 +6,7 @@ from typing import Any
 import pygame
 import pytest
 
-from carom.play.toy import app
+from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
 from tests.play.screens import check
@@ -141,7 +141,7 @@ def test_a_ball_that_sleeps_is_drawn_otherwise(player: Player) -> None:
     ball = next(ball for ball in player.world.balls if ball.name == "left")
     view = player.toy.views[0]
     spot = [round(number) for number in view.pixel(ball.position)]
-    awake = player.window.surface.get_at(spot)
+    awake = player.window.surface.get_at(spot)[:3]
     for other in list(player.world.balls):
         other.velocity = (0.0, 0.0)
     player.desk.change("gravity", 0.0)
@@ -150,7 +150,8 @@ def test_a_ball_that_sleeps_is_drawn_otherwise(player: Player) -> None:
     player.key(pygame.K_s)
     player.frames(1)
     assert ball.asleep
-    assert player.window.surface.get_at(spot) != awake
+    assert awake != colours.STAGE
+    assert player.window.surface.get_at(spot)[:3] == colours.STAGE
 
 
 # -- the whole of it --------------------------------------------------------------------------------------------------
@@ -162,6 +163,17 @@ def test_a_toy_runs_for_some_seconds_and_says_how_long_its_frames_took(monkeypat
     meter = app.run(tell=told.append, seconds=0.05)
     assert meter.frames >= 1
     assert "ms of work" in meter.line() or meter.frames == 1
+
+
+def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*arguments: Any, **named: Any) -> None:
+        raise pygame.error("no audio device")
+
+    monkeypatch.setattr(pygame.mixer, "init", refuse)
+    player = Player()
+    player.frames(3)
+    assert player.told == ["no sound: no audio device"]
+    assert player.world.time == pytest.approx(3 / 60)
 
 
 @pytest.mark.compiled

@@ -82,7 +82,8 @@ class Panel:
         width = self._area.width - 2 * SIDE - LABELS - VALUES
         rect = pygame.Rect(SIDE + LABELS, y + (HEIGHTS[Slider] - TRACK) // 2, width, TRACK)
         slider = pygame_gui.elements.UIHorizontalSlider(rect, 0, (0, POSITIONS), self._manager)
-        slider.sliding_button.set_hold_range((HOLD, HOLD))
+        knob: Any = slider.sliding_button
+        knob.set_hold_range((HOLD, HOLD))
         self._sliders[slider] = row
 
     def _make_choice(self, row: Choice, y: int) -> None:

@@ -19,11 +19,6 @@ class Table:
         self.launched = len(self.world.balls)
 
     @property
-    def turning(self) -> list[carom.Compound]:
-        """The parts that turn when they are told to."""
-        return [shape for shape in self.world.shapes if isinstance(shape, carom.Compound)]
-
-    @property
     def in_play(self) -> int:
         """Balls that are in it now."""
         return len(self.world.balls)
