@@ -15,7 +15,13 @@ SHAPES: dict[str, Any] = {
     "point": carom.Point((7, -0.001)),
 }
 WANTED = {
-    "segment": {"from": "(1.00, 2.00)", "to": "(4.00, 6.00)", "length": "5.00", "angle": "53.1°", "normal": "(-0.80, 0.60)"},
+    "segment": {
+        "from": "(1.00, 2.00)",
+        "to": "(4.00, 6.00)",
+        "length": "5.00",
+        "angle": "53.1°",
+        "normal": "(-0.80, 0.60)",
+    },
     "gate": {"lets pass": "(1.00, 0.00)", "length": "2.00"},
     "circle": {"center": "(3.00, 4.00)", "radius": "2.00", "solid": "yes", "box": "(1.00, 2.00) to (5.00, 6.00)"},
     "arc": {"from": "0.0°", "to": "90.0°", "radius": "2.00", "length": "3.14", "elasticity": "1"},

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
+from typing import Any
 
 import carom
 from carom import draw
@@ -110,17 +111,21 @@ class Twin:
     def __init__(self, world: carom.World) -> None:
         self._world = world
         self._twin: carom.World = carom.Scene(shapes=list(world.shapes)).build()
+        self._twin.substeps = self._twin.iterations = 1
+        pairs = zip(self._twin.shapes, world.shapes, strict=True)
+        self._turning: list[tuple[Any, Any]] = [pair for pair in pairs if isinstance(pair[0], carom.Compound)]
 
     def box_tests(self) -> int:
         """The box tests of the first iteration that would be made now, if all balls were awake."""
         world, twin = self._world, self._twin
+        # What is set anew has the twin look at all of its shapes anew, so only what has changed is.
         for name in ALIKE:
-            setattr(twin, name, getattr(world, name))
-        for ours, theirs in zip(twin.shapes, world.shapes, strict=True):
-            if isinstance(ours, carom.Compound) and isinstance(theirs, carom.Compound):
+            if getattr(twin, name) != getattr(world, name):
+                setattr(twin, name, getattr(world, name))
+        for ours, theirs in self._turning:
+            if ours.orientation != theirs.orientation:
                 ours.orientation = theirs.orientation
         self._copy_balls()
-        twin.substeps = twin.iterations = 1
         twin.statistics.reset()
         twin.step(1.0 / (RATE * world.substeps))
         return twin.statistics.box_tests
