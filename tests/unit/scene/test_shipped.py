@@ -135,6 +135,7 @@ def test_the_pinball_table_has_all_that_a_table_has() -> None:
     assert len(kicking) == 2
     assert all(band.kick > 0.0 for band in kicking)
     assert kinds.count("gate") == 2
+    assert {"drop target 1", "drop target 2", "drop target 3"} <= names_in(scene)
     assert {"dome", "plunger", "plunger lane", "drain", "left lane", "left inlane", "right outlane"} <= names_in(scene)
     flippers = [shape for shape in scene.shapes if (shape.name or "").endswith("flipper")]
     assert [flipper.orientation for flipper in flippers] == [0.0, 0.0]
@@ -143,6 +144,26 @@ def test_the_pinball_table_has_all_that_a_table_has() -> None:
     assert 90 <= parts <= 150
     box = scene.build().shapes[1].aabb
     assert (box.left, box.right, box.top) == pytest.approx((0.0, 20.0, 42.0))
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("down", [(), (1,), (2,), (3,), (1, 2), (1, 3), (2, 3), (1, 2, 3)])
+def test_no_ball_rests_on_the_bank_whichever_targets_are_down(down: tuple[int, ...]) -> None:
+    world = scenes.pinball().build()
+    for shape in world.shapes:
+        if shape.name in {f"drop target {number}" for number in down}:
+            shape.can_collide = False
+    for ball in list(world.balls):
+        world.remove(ball)
+    for x in (15.9, 16.1, 16.3, 16.5):
+        for y in (20.5, 21.2, 22.4, 24.2, 24.6):
+            ball = world.add(carom.Ball((x, y), 0.6))
+            lowest = y
+            for _ in range(40):
+                world.run(0.25)
+                lowest = min(lowest, ball.position[1])
+            assert lowest < 18.0, (x, y)
+            world.remove(ball)
 
 
 def test_the_toys_table_has_all_that_the_toy_has() -> None:

@@ -1,4 +1,4 @@
-"""A pinball table: dome, lanes, bumpers, slingshots, flippers, gates, plunger lane and the way back from the drain.
+"""A pinball table: dome, lanes, bumpers, slingshots, drop targets, flippers, gates, plunger lane, the drain's way back.
 
 One unit of length is 2.25 cm, so that a ball of 27 mm has a radius of 0.6 and the table of 42 is 95 cm long. It slopes
 by 6.5 degrees, and a ball that rolls has 5/7 of the acceleration of one that slides: 9.81 m/s² · sin 6.5° · 5/7 is 35
@@ -27,11 +27,12 @@ DOME = ((10.0, 32.0), 10.0)
 LANE = 18.6  # x of the wall between field and plunger lane
 MIDDLE = LANE / 2.0  # of the field
 OUTLANE, INLANE = 1.6, 1.9  # their widths
+SHOULDER = 1.4  # how far the shoulders stand out from the walls
 BALL_RADIUS = 0.6
 
 FLIPPER_BASE = ((MIDDLE - 4.25, 8.6), 0.6)
 FLIPPER_TIP_RADIUS = 0.35
-FLIPPER_LENGTH = 3.3
+FLIPPER_LENGTH = 3.5
 FLIPPER_REST = radians(-28.0)
 FLIPPER_SWING = radians(56.0)
 
@@ -84,7 +85,7 @@ def _cabinet() -> list[Any]:
 def _top() -> list[Any]:
     """The orbit gate on the dome, the orbits' inner guides, and the three lanes with their rollovers."""
     center, radius = DOME
-    stop = radians(124.0)
+    stop = radians(116.0)
     guides = {"center": center, **WOOD}
     parts: list[Any] = [
         GateDescriptor(
@@ -97,7 +98,7 @@ def _top() -> list[Any]:
         ArcDescriptor(radius=7.9, start_angle=radians(150.0), end_angle=pi, name="left orbit guide", **guides),
         SegmentDescriptor(start=(2.1, 32.0), end=(2.1, 27.0), name="left orbit guide", **WOOD),
         ArcDescriptor(radius=6.5, start_angle=0.0, end_angle=radians(32.0), name="right orbit guide", **guides),
-        SegmentDescriptor(start=(16.5, 32.0), end=(16.5, 26.0), name="right orbit guide", **WOOD),
+        SegmentDescriptor(start=(16.5, 32.0), end=(16.5, 27.0), name="right orbit guide", **WOOD),
         SegmentDescriptor(start=(0.3, 30.0), end=(1.8, 30.0), name="left orbit", **SENSOR),
         SegmentDescriptor(start=(16.8, 29.0), end=(18.3, 29.0), name="right orbit", **SENSOR),
     ]
@@ -117,7 +118,7 @@ def _middle() -> list[Any]:
     ]
     left = [
         *_shoulder(),
-        CircleDescriptor(center=(MIDDLE - 4.8, 21.4), radius=0.4, solid=True, name="left post", **RUBBER),
+        CircleDescriptor(center=(MIDDLE - 3.6, 21.6), radius=0.4, solid=True, name="left post", **RUBBER),
     ]
     hub = (MIDDLE, 18.8)
     return [
@@ -127,6 +128,7 @@ def _middle() -> list[Any]:
         ),
         *left,
         *mirrored(left, MIDDLE),
+        *_bank(),
         CompoundDescriptor(
             shapes=tuple(band([((hub[0] - 1.5, hub[1]), 0.22), ((hub[0] + 1.5, hub[1]), 0.22)], **RUBBER)),
             pivot=hub,
@@ -138,9 +140,21 @@ def _middle() -> list[Any]:
 
 def _shoulder() -> list[Any]:
     """The left wall's bulge, its flat face a target with a kick of its own."""
-    corners = [((0.0, 25.2), 0.0), ((1.4, 22.8), 1.2), ((1.4, 20.2), 1.2), ((0.0, 17.8), 0.0)]
+    corners = [((0.0, 26.0), 0.0), ((SHOULDER, 23.6), 1.2), ((SHOULDER, 20.0), 1.2), ((0.0, 17.6), 0.0)]
     parts = rounded(corners, name="left shoulder", **RUBBER)
     parts[2] = parts[2].model_copy(update={"kick": 8.0, "name": "left target"})
+    return parts
+
+
+def _bank() -> list[Any]:
+    """Three drop targets before the right shoulder's face; one is down when its shapes do not collide.
+
+    A ball that touches the face has its centre farther out than the targets' axis, so it rests on none that is up.
+    """
+    x, half, radius = LANE - SHOULDER - 0.28, 0.32, 0.2
+    parts: list[Any] = []
+    for number, y in enumerate((20.65, 21.8, 22.95), 1):
+        parts += band([((x, y - half), radius), ((x, y + half), radius)], name=f"drop target {number}", **WOOD)
     return parts
 
 
@@ -192,7 +206,7 @@ def _slingshot() -> list[Any]:
     x = OUTLANE + INLANE + radius
     lower = _on_guide(x, INLANE + radius)
     inner = _on_guide(x + 2.5, INLANE + radius)
-    parts = band([(lower, radius), (inner, radius), ((x, 17.0), radius)], name="left slingshot", **RUBBER)
+    parts = band([(lower, radius), (inner, radius), ((x, 16.2), radius)], name="left slingshot", **RUBBER)
     parts[2] = parts[2].model_copy(update={"kick": 14.0, "name": "left slingshot's band"})
     return parts
 
