@@ -302,7 +302,11 @@ def test_a_page_is_made_once_and_lights_its_dots() -> None:
     page = Page((Line("I", 0, anchor="start"), Line("", 9), Line("é", 30, 2, 0.5, "end")), (Bar(20, 4, 2.0),))
     picture = display.picture(page)
     assert picture.get_size() == (dots.COLUMNS * dots.DOT, dots.ROWS * dots.DOT)
+    corner = picture.get_at((0, 0))
+    picture.set_at((0, 0), (255, 0, 255))
     assert display.picture(page) is picture
+    assert picture.get_at((0, 0))[:3] == (255, 0, 255), "the same page was made anew"
+    picture.set_at((0, 0), corner)
     lights = dots.lights_of(page)
     assert lights[1:4, :7].tolist() == [[1, 0, 0, 0, 0, 0, 1], [1] * 7, [1, 0, 0, 0, 0, 0, 1]]
     assert lights[2 : dots.COLUMNS - 2, 20:24].min() == 1.0
