@@ -23,6 +23,7 @@ LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
 INSTALL_AND_RUN = "pip install . && carom run pinball --seconds 20 --out pinball.svg"
+GAMES = {"toy", "pinball", "pool"}  # which are played until someone ends them, or for so many seconds
 INSTALL_AND_TEST = 'pip install -e ".[dev]" && pytest'
 
 
@@ -91,6 +92,8 @@ def test_the_commands_of_a_page_run_after_the_code_before_them(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
+        monkeypatch.setenv(driver, "dummy")
     names: dict[str, object] = {}
     steps = sorted([(*block, "python") for block in blocks(page, "python")] + [(*b, "sh") for b in blocks(page, "sh")])
     for lines_before, text, language in steps:
@@ -98,6 +101,8 @@ def test_the_commands_of_a_page_run_after_the_code_before_them(
             run_python(page, lines_before, text, names)
             continue
         for arguments in commands(text):
+            if arguments[0] in GAMES and "--chart" not in arguments:
+                arguments += ["--seconds", "0.2"]
             with pytest.raises(SystemExit) as ended:
                 main(arguments)
             assert ended.value.code in (0, None), (arguments, capsys.readouterr().err)

@@ -1,0 +1,94 @@
+"""What the player sees of a shot before it: the line of `World.aim`, the ghost ball, and where both balls go then."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot
+from typing import TYPE_CHECKING
+
+from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector, speed_of
+
+if TYPE_CHECKING:
+    from carom import Aim
+
+#: cm: farther than any two places of the table.
+FAR = 400.0
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A ball's straight way to its next impact; `pocket` is the pocket that it falls into, if it does."""
+
+    start: Vector
+    end: Vector
+    pocket: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """The shot along one direction.
+
+    Attributes:
+        aim: The cue ball's line up to its first impact.
+        pocket: The pocket that the cue ball falls into before that, if it does.
+        cue: Its way on from there, or None where it stands still or is potted.
+        eight: The eight's way, or None where the cue ball does not meet it.
+    """
+
+    aim: Aim
+    pocket: str | None
+    cue: Leg | None
+    eight: Leg | None
+
+
+def preview(pool: Pool, direction: Vector) -> Preview | None:
+    """What a shot in a direction would do, or None if it would meet nothing."""
+    length = hypot(*direction)
+    direction = direction[0] / length, direction[1] / length
+    aim = pool.world.aim(pool.cue, direction)
+    if aim is None:
+        return None
+    pocket = leg(pool, aim.start, direction, 0).pocket if aim.shape is not pool.eight else None
+    cue = eight = None
+    if aim.direction is not None and pocket is None:
+        cue = leg(pool, aim.ghost, aim.direction, 0 if aim.shape is pool.eight else EIGHT)
+    if aim.other_direction is not None:
+        eight = leg(pool, pool.eight.position, aim.other_direction, 0)
+    return Preview(aim, pocket, cue, eight)
+
+
+def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
+    """The way of a ball from `start` to what it meets first: a pocket, a cushion, or a ball on the layers `balls`."""
+    target = (start[0] + FAR * direction[0], start[1] + FAR * direction[1])
+    radius = pool.cue.radius
+    hit = pool.world.circle_cast(start, radius, target, collides_with=SHAPES | balls, sensors=True)
+    if hit is None:
+        return Leg(start, target, None)
+    way = FAR * hit.fraction
+    end = (start[0] + way * direction[0], start[1] + way * direction[1])
+    return Leg(start, end, pocket_at(pool, end) if hit.shape.sensor or hit.shape.name == "pocket" else None)
+
+
+def reaches(pool: Pool, shown: Preview, way: Leg, share: float, power: float) -> bool:
+    """Whether a ball gets to the end of its way after the impact, which leaves it a `share` of the cue ball's speed.
+
+    Friction takes the same from the square of a speed on every centimetre.
+    """
+    speed = speed_of(power)
+    squared = speed * speed - 2.0 * pool.world.friction * shown.aim.distance
+    needed = 2.0 * pool.world.friction * hypot(way.end[0] - way.start[0], way.end[1] - way.start[1])
+    return squared > 0.0 and squared * share * share > needed
+
+
+def scratch(pool: Pool, shown: Preview, power: float) -> str | None:
+    """The pocket that the cue ball falls into, at once or after its first impact, if it does."""
+    if shown.pocket is None and shown.cue is not None and shown.cue.pocket is not None:
+        return shown.cue.pocket if reaches(pool, shown, shown.cue, shown.aim.speed, power) else None
+    return shown.pocket
+
+
+def pocket_at(pool: Pool, place: Vector) -> str:
+    """The name of the pocket that is nearest to a place."""
+    sensors = [shape for shape in pool.world.shapes if shape.sensor]
+    x, y = place
+    return min(sensors, key=lambda shape: hypot(shape.position[0] - x, shape.position[1] - y)).name or ""

@@ -1,0 +1,231 @@
+"""The table while it is played on: balls, cue, the line of aim, and the marks of the impacts."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import hypot
+from typing import TYPE_CHECKING
+
+import pygame
+
+from carom.play.letters import Letters
+from carom.play.pool.ball_art import RollingBall
+from carom.play.pool.game import Phase, Vector
+from carom.play.pool.hud import Hud
+from carom.play.pool.layout import BAD, GOLD, IVORY, SCALE, SIZE, Colour
+from carom.play.pool.preview import pocket_at, scratch
+from carom.play.pool.session import Mode, Session
+from carom.play.pool.sprites import Cue, put, ring, spot
+from carom.play.pool.table_art import cloth_of, pockets, table_picture
+
+if TYPE_CHECKING:
+    from carom.play.meter import FrameMeter
+    from carom.play.pool.game import Pool
+    from carom.play.pool.preview import Leg, Preview
+
+#: Pixels: dashes and the gaps between them.
+DASH, GAP = 9.0, 7.0
+
+#: Pixels from the cue ball to the cue's tip where it is not drawn, and as far as it is drawn back.
+REST, DRAWN = 7.0, 110.0
+
+#: Seconds that the cue is seen after a shot, and that a ball takes to sink into a pocket.
+FOLLOW, SINK = 0.3, 0.22
+
+#: Seconds: how far ahead the arrows of step mode point.
+ARROW = 0.25
+
+#: The least of its size and of its light that a ball keeps in a pocket.
+SUNK_SIZE, SUNK_LIGHT = 0.86, 0.34
+
+#: Pixels: a ball that went farther than this between two frames was put somewhere else.
+JUMP = 400.0
+
+#: The colours of what belongs to the eight, and to the cue ball.
+EIGHT_LINE, CUE_LINE = GOLD, IVORY
+
+
+class View:
+    """Draws sessions at one table."""
+
+    def __init__(self, session: Session) -> None:
+        world, radius = session.pool.world, session.pool.cue.radius * SCALE
+        self.layout = cloth_of(world)
+        self.hud = Hud(self.layout)
+        self.letters = Letters()
+        self.table = pygame.Surface(SIZE, 0, 32)
+        pygame.surfarray.blit_array(self.table, table_picture())
+        self.cue = Cue()
+        self.balls = {"cue ball": RollingBall(radius, eight=False), "eight": RollingBall(radius, eight=True)}
+        self.radius = radius
+        self._places: dict[str, Vector] = {}
+        self._shadow = spot(1.4 * radius, (0, 0, 0), 0.62, 0.85)
+        self._ghost = ring(radius, 1.6, IVORY, 0.95, 0.13)
+        self._faint = ring(radius, 1.2, IVORY, 0.6)
+        self._goal = ring(5.2 * SCALE, 3.0, GOLD, 0.95)
+        self._danger = ring(5.2 * SCALE, 3.0, BAD, 0.95)
+        self._marks = {"cue ball": ring(radius, 1.8, IVORY, 0.95, 0.16), "eight": ring(radius, 1.8, GOLD, 0.95, 0.2)}
+        self._pockets = {pocket_at(session.pool, arc.center): self.layout.pixel(arc.center) for arc in pockets(world)}
+
+    def draw(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
+        """Nothing; draws the whole window."""
+        surface.blit(self.table, (0, 0))
+        shown = session.preview()
+        if Mode.IMPACTS in session.modes:
+            self._draw_paths(surface, session)
+        if shown is not None:
+            self._draw_aim(surface, shown, scratch(session.pool, shown, session.strength))
+        if session.pool.over:
+            self._draw_falls(surface, session.pool)
+        self._draw_balls(surface, session)
+        if Mode.STEPS in session.modes:
+            self._draw_velocities(surface, session.pool)
+        self._draw_cue(surface, session)
+        if Mode.IMPACTS in session.modes:
+            self._draw_numbers(surface, session)
+        self.hud.draw(surface, session, meter)
+
+    # -- balls and cue -----------------------------------------------------------------------------------------------
+
+    def _draw_balls(self, surface: pygame.Surface, session: Session) -> None:
+        """Nothing; draws the balls, rolled on from where they were in the last frame."""
+        pool = session.pool
+        for ball in (pool.cue, pool.eight):
+            name = ball.name or ""
+            x, y = self.layout.pixel(ball.position)
+            before = self._places.get(name, (x, y))
+            self._places[name] = (x, y)
+            if pool.shots == 0:
+                self.balls[name].reset()
+            elif hypot(x - before[0], y - before[1]) < JUMP:
+                self.balls[name].roll(x - before[0], before[1] - y)
+            fall = pool.potted.get(name)
+            share = 0.0 if fall is None else min((pool.world.time - fall.time) / SINK, 1.0)
+            if share < 1.0:
+                self._draw_shadow(surface, (x, y))
+            size, light = 1.0 - (1.0 - SUNK_SIZE) * share, 1.0 - (1.0 - SUNK_LIGHT) * share
+            self.balls[name].draw(surface, (x, y), size, light)
+
+    def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
+        """Nothing; draws an arrow from each ball that moves to where it would be in `ARROW` seconds."""
+        for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
+            (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
+            way = SCALE * ARROW * speed
+            if way < 1.0:
+                continue
+            start, (along_x, along_y) = self.layout.pixel((x, y)), (vx / speed, -vy / speed)
+            near, far = self.radius + 2.0, self.radius + 2.0 + way
+            end = (start[0] + far * along_x, start[1] + far * along_y)
+            stroke(surface, (start[0] + near * along_x, start[1] + near * along_y), end, colour)
+            for side in (3.5, -3.5):
+                barb = (end[0] - 8.0 * along_x - side * along_y, end[1] - 8.0 * along_y + side * along_x)
+                stroke(surface, barb, end, colour)
+
+    def _draw_shadow(self, surface: pygame.Surface, place: Vector) -> None:
+        """Nothing; draws a ball's shadow, which falls away from the lamp above the middle of the table."""
+        x, y = self.layout.center
+        away = ((place[0] - x) * 0.008, (place[1] - y) * 0.008)
+        put(surface, self._shadow, (place[0] + away[0] + 1.5, place[1] + away[1] + 3.5))
+
+    def _draw_cue(self, surface: pygame.Surface, session: Session) -> None:
+        """Nothing; draws the cue behind the cue ball, as far back as the power says, or what is seen of a shot."""
+        pool = session.pool
+        x, y = session.direction
+        towards = (x, -y)
+        if pool.phase is Phase.AIM:
+            back = self.radius + REST + DRAWN * (0.0 if session.draw is None else session.draw)
+            ball, bright = self.layout.pixel(pool.cue.position), 1.0
+        elif session.since_shot < FOLLOW:
+            share = session.since_shot / FOLLOW
+            back, bright = self.radius - 14.0 * min(3.0 * share, 1.0), 1.0 - share * share
+            ball = self.layout.pixel(pool.shot_from[0])
+        else:
+            return
+        tip = (ball[0] - back * towards[0], ball[1] - back * towards[1])
+        self.cue.draw(surface, tip, towards, bright)
+
+    # -- the line of aim ---------------------------------------------------------------------------------------------
+
+    def _draw_aim(self, surface: pygame.Surface, shown: Preview, fall: str | None) -> None:
+        """Nothing; draws the line of aim, the ghost ball, where both balls go on, and the pockets that they reach."""
+        danger = shown.pocket is not None
+        start, ghost = self.layout.pixel(shown.aim.start), self.layout.pixel(shown.aim.ghost)
+        self._dash(surface, start, ghost, BAD if danger else IVORY, self.radius + 3.0, self.radius)
+        put(surface, self._ghost, ghost)
+        for leg, colour in ((shown.cue, CUE_LINE), (shown.eight, EIGHT_LINE)):
+            if leg is not None:
+                self._draw_leg(surface, leg, colour)
+        if shown.eight is not None and shown.eight.pocket is not None:
+            put(surface, self._goal, self._pockets[shown.eight.pocket])
+        if fall is not None:
+            put(surface, self._danger, self._pockets[fall])
+
+    def _draw_leg(self, surface: pygame.Surface, leg: Leg, colour: Colour) -> None:
+        """Nothing; draws a ball's way on as a thin line with a ring where it ends."""
+        start, end = self.layout.pixel(leg.start), self.layout.pixel(leg.end)
+        self._stroke_between(surface, start, end, colour)
+        if leg.pocket is None:
+            put(surface, self._faint, end)
+
+    def _dash(
+        self, surface: pygame.Surface, start: Vector, end: Vector, colour: Colour, skip: float, leave: float
+    ) -> None:
+        """Nothing; draws a dashed line that begins `skip` pixels after `start` and ends `leave` pixels before `end`."""
+        way = hypot(end[0] - start[0], end[1] - start[1])
+        if way <= skip + leave:
+            return
+        x, y = (end[0] - start[0]) / way, (end[1] - start[1]) / way
+        at = skip
+        while at < way - leave:
+            to = min(at + DASH, way - leave)
+            stroke(surface, (start[0] + at * x, start[1] + at * y), (start[0] + to * x, start[1] + to * y), colour)
+            at += DASH + GAP
+
+    def _draw_falls(self, surface: pygame.Surface, pool: Pool) -> None:
+        """Nothing; draws rings round the pockets that decided the game."""
+        for name, fall in pool.potted.items():
+            picture = self._danger if name == pool.cue.name else self._goal
+            put(surface, picture, self._pockets[fall.pocket])
+
+    # -- the marks of the impacts ------------------------------------------------------------------------------------
+
+    def _draw_paths(self, surface: pygame.Surface, session: Session) -> None:
+        """Nothing; draws the ways of both balls since the shot, and where they were at each impact."""
+        pool = session.pool
+        for name, colour in (("cue ball", CUE_LINE), ("eight", EIGHT_LINE)):
+            path = [self.layout.pixel(place) for place in pool.path(name)]
+            if pool.shots > 0:
+                put(surface, self._faint, path[0])
+            for start, end in pairwise(path):
+                self._stroke_between(surface, start, end, colour)
+        for mark in pool.marks:
+            for name, place in mark.balls:
+                put(surface, self._marks[name], self.layout.pixel(place))
+
+    def _stroke_between(self, surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
+        """Nothing; draws a line from the edge of a ball at `start` to that of one at `end`."""
+        way = hypot(end[0] - start[0], end[1] - start[1])
+        if way > 2.0 * self.radius:
+            x, y = self.radius * (end[0] - start[0]) / way, self.radius * (end[1] - start[1]) / way
+            stroke(surface, (start[0] + x, start[1] + y), (end[0] - x, end[1] - y), colour)
+
+    def _draw_numbers(self, surface: pygame.Surface, session: Session) -> None:
+        """Nothing; writes the number of each impact into the balls that took part."""
+        for mark in session.pool.marks:
+            for name, place in mark.balls:
+                x, y = self.layout.pixel(place)
+                colour = CUE_LINE if name == "cue ball" else EIGHT_LINE
+                self.letters.draw(surface, str(mark.number), (x, y - 6.5), 13, colour, anchor="middle")
+
+
+def stroke(surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
+    """Nothing; draws a smooth line two pixels wide."""
+    way = hypot(end[0] - start[0], end[1] - start[1])
+    if way == 0.0:
+        return
+    x, y = 0.5 * (end[1] - start[1]) / way, 0.5 * (start[0] - end[0]) / way
+    for side in (1.0, -1.0):
+        shift_x, shift_y = side * x, side * y
+        pygame.draw.aaline(
+            surface, colour, (start[0] + shift_x, start[1] + shift_y), (end[0] + shift_x, end[1] + shift_y)
+        )

@@ -1,0 +1,225 @@
+"""`carom toy`: the Collision Math Toy, a table and a panel with which a person sees the mathematics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
+
+import pygame
+
+import carom
+from carom.play.controls import Controls
+from carom.play.meter import FrameMeter
+from carom.play.sound import Speaker
+from carom.play.toy import beside, colours
+from carom.play.toy.desk import STEP, Desk
+from carom.play.toy.help import draw_help
+from carom.play.toy.keys import BUTTONS, KEYS
+from carom.play.toy.panel import Panel
+from carom.play.toy.probe import Reading, ball_at, read, shape_at
+from carom.play.toy.readout import draw_reading
+from carom.play.toy.script import Script
+from carom.play.toy.settings import Settings
+from carom.play.toy.sounds import tick, ticks
+from carom.play.toy.view import View
+from carom.play.toy.words import figure_texts, load_text
+from carom.play.window import RATE, Ticker, play
+
+#: Pixels: the window, and the panel and the strip in it.
+SIZE, PANEL, STRIP = (1280, 800), 364, 92
+
+
+class Toy:
+    """The toy as a game for a window.
+
+    Attributes:
+        desk: The tables and all switches.
+        views: The tables as they are shown.
+        meter: How long frames take.
+    """
+
+    title = "carom: Collision Math Toy"
+    size = SIZE
+
+    def __init__(self, tell: Callable[[str], None]) -> None:
+        self.desk = Desk()
+        self._letters = Script()
+        self._stage = pygame.Rect(0, 0, SIZE[0] - PANEL, SIZE[1] - STRIP)
+        self._strip = pygame.Rect(0, SIZE[1] - STRIP, SIZE[0] - PANEL, STRIP)
+        self._controls: Controls[str] = Controls(KEYS, BUTTONS, tell)
+        self._speaker = Speaker(ticks(), tell)
+        self._ticker = Ticker(STEP)
+        self.meter = FrameMeter(RATE)
+        self._losses = beside.Losses()
+        self._mouse = (-1, -1)
+        self._grip: View | None = None
+        self._seen: Settings | None = None
+        self.views: tuple[View, ...] = ()
+        self._told: tuple[View, ...] = ()
+
+    @cached_property
+    def panel(self) -> Panel:
+        """The panel; made when it is first used, for its buttons need an open window."""
+        return Panel(self.desk, self._letters, (SIZE[0] - PANEL, 0), (PANEL, SIZE[1]))
+
+    @property
+    def running(self) -> bool:
+        """False once the toy is to be closed."""
+        return self.desk.running
+
+    @running.setter
+    def running(self, running: bool) -> None:
+        self.desk.running = running
+
+    # -- input -------------------------------------------------------------------------------------------------------
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Nothing; takes one event: of keys, controllers and the mouse, and those of the panel's own buttons."""
+        for name, down in self._controls.read(event):
+            if down:
+                self._press(name)
+        if event.type == pygame.MOUSEBUTTONDOWN and not self.panel.holds(event.pos):
+            self._grasp(event)
+            return
+        if event.type == pygame.MOUSEMOTION:
+            self._point(event.pos)
+        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+            self.desk.hand.throw(self.desk.tables)
+        self.panel.handle(event)
+
+    def _press(self, name: str) -> None:
+        """Nothing; does what a key says; the key that quits closes the help first."""
+        self.desk.press("help" if name == "quit" and self.desk.help else name)
+
+    def _grasp(self, event: pygame.event.Event) -> None:
+        """Nothing; takes hold of the ball under the mouse; a click closes the help."""
+        self._mouse = event.pos
+        if self.desk.help:
+            self.desk.do("help")
+            return
+        view = self._view_at(event.pos)
+        if view is not None and event.button == 1:
+            place = view.place(event.pos)
+            ball = ball_at(view.table.world, place, view.reach)
+            if ball is not None:
+                self._grip = view
+                self.desk.hand.take(ball, place)
+
+    def _point(self, pixel: tuple[int, int]) -> None:
+        """Nothing; the mouse is somewhere else now."""
+        self._mouse = pixel
+        if self.desk.hand.ball is not None and self._grip is not None:
+            self.desk.hand.move(self._grip.place(pixel))
+
+    def _view_at(self, pixel: tuple[int, int]) -> View | None:
+        """The table that a pixel is on, or None."""
+        return next((view for view in self.views if view.area.collidepoint(pixel)), None)
+
+    # -- time --------------------------------------------------------------------------------------------------------
+
+    def advance(self, seconds: float) -> None:
+        """Nothing; so much time has gone by."""
+        self.meter.begin()
+        self._agree()
+        self.desk.hand.wait(seconds)
+        parts = self.desk.advance(self._ticker.due(seconds))
+        for place, hits in enumerate(parts):
+            self.views[place % len(self.views)].note(hits)
+        self._speaker.muted = self.desk.settings.muted
+        tick(self._speaker, parts)
+        self._count(seconds)
+        self.panel.advance(seconds)
+
+    def _agree(self) -> None:
+        """Nothing; shows what the desk's settings say, where they have changed."""
+        settings, tables = self.desk.settings, self.desk.tables
+        if tuple(view.table for view in self.views) != tables:
+            self._losses = beside.Losses()
+            places = [self._stage] if len(tables) == 1 else beside.areas(self._stage)
+            self.views = tuple(View(table, area) for table, area in zip(tables, places, strict=True))
+            self._seen = None
+        if settings != self._seen:
+            self._seen = replace(settings)
+            self.panel.agree()
+            for view in self.views:
+                view.look(settings)
+        if self.desk.cleared:
+            self.desk.cleared = False
+            for view in self.views:
+                view.forget()
+
+    def _count(self, seconds: float) -> None:
+        """Nothing; reads the figures, a few times a second."""
+        news = [view.figures.wait(seconds) for view in self.views]
+        news.append(self._told is not self.views)
+        if len(self.views) > 1:
+            self._losses.wait(seconds, tuple(view.table.strays for view in self.views))
+        if any(news):
+            self._told = self.views
+            for view in self.views:
+                view.measure()
+            self.panel.show(
+                figure_texts(self.views, self.desk.lane.waiting) | {"load": load_text(self.meter)}, self.meter.share
+            )
+
+    # -- its picture -------------------------------------------------------------------------------------------------
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Nothing; draws the frame."""
+        if len(self.views) > 1:
+            self._draw_beside(surface)
+        for view in self.views:
+            view.draw(surface)
+        self._draw_hand(surface)
+        draw_reading(surface, self._letters, self._strip, self._pointed_at(surface))
+        if self.desk.help:
+            draw_help(surface, self._letters, self._stage)
+        self.panel.draw(surface)
+        self.meter.end()
+
+    def _draw_beside(self, surface: pygame.Surface) -> None:
+        """Nothing; draws what is around two tables."""
+        surface.fill(colours.PAPER, self._stage)
+        beside.draw_captions(surface, self._letters, self.views, self.desk.kinds)
+        top = self.views[0].area.bottom + 84
+        area = pygame.Rect(16, top, self._stage.width - 32, self._stage.bottom - top - 10)
+        self._losses.draw(surface, self._letters, area, self.desk.kinds)
+
+    def _draw_hand(self, surface: pygame.Surface) -> None:
+        """Nothing; draws what the hand holds."""
+        hand = self.desk.hand
+        for view in self.views:
+            for ball in hand.held([view.table]):
+                view.mark_throw(surface, ball, hand.velocity, hand.target)
+
+    def _pointed_at(self, surface: pygame.Surface) -> Reading | None:
+        """The numbers of what the mouse points at, which is marked; None where it points at nothing."""
+        view = self._view_at(self._mouse)
+        if view is None or self.desk.help:
+            return None
+        held = self.desk.hand.held([view.table])
+        shape = held[0] if held else shape_at(view.table.world, view.place(self._mouse), view.reach)
+        if shape is None:
+            return None
+        view.mark(surface, shape)
+        return read(shape, -view.table.world.gravity[1])
+
+
+def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
+    """The times of all frames of a toy that was played with until it was closed, or `seconds` were over."""
+
+    def ready() -> Toy:
+        warm_up()
+        return Toy(tell)
+
+    return play(ready, seconds)
+
+
+def warm_up() -> None:
+    """Nothing; has both kinds of steps compiled: a table that is shown must not stand still for that."""
+    for detection in ("discrete", "continuous"):
+        world = carom.World(detection=detection)
+        world.add(carom.Ball((0.0, 0.0), radius=1.0))
+        world.step(STEP)
+        world.overlapping(carom.Aabb(0.0, 0.0, 1.0, 1.0))

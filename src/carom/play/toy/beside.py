@@ -1,0 +1,95 @@
+"""Two tables side by side: which is which, and how many balls each has lost."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+
+import pygame
+
+from carom.play.letters import Colour, Letters
+from carom.play.toy import colours
+from carom.play.toy.view import View
+from carom.play.toy.words import short
+
+#: The colour of each detection, and what it does.
+LOOKS: dict[str, tuple[Colour, str]] = {
+    "discrete": (colours.WARM, "moves the balls, then looks for overlaps"),
+    "continuous": (colours.GOOD, "finds the times of impacts"),
+}
+#: Pixels: above the tables, and between them.
+HEAD, GAP = 70, 10
+#: Seconds of the curves of lost balls, at least and at most, and between two points of them.
+LEAST_SPAN, MOST_SPAN, PAUSE = 10.0, 60.0, 0.25
+#: Lost balls that the curves have room for, at least.
+LEAST_COUNT = 4
+TRY = "Both tables are given the same launches. Try few motion iterations and fast balls, then launch n."
+
+
+def areas(area: pygame.Rect) -> list[pygame.Rect]:
+    """Where the two tables are."""
+    width = (area.width - GAP) // 2
+    height = width * 25 // 33
+    return [pygame.Rect(area.left + place * (width + GAP), area.top + HEAD, width, height) for place in range(2)]
+
+
+class Losses:
+    """How many balls each table has lost, over time."""
+
+    def __init__(self) -> None:
+        self._time = 0.0
+        self._points: deque[tuple[float, tuple[int, ...]]] = deque()
+
+    def wait(self, seconds: float, counts: tuple[int, ...]) -> None:
+        """Nothing; so much time has gone by, and so many balls are lost now."""
+        self._time += seconds
+        if not self._points or self._time - self._points[-1][0] >= PAUSE:
+            self._points.append((self._time, counts))
+        while self._points[0][0] < self._time - MOST_SPAN:
+            self._points.popleft()
+
+    def draw(self, surface: pygame.Surface, letters: Letters, area: pygame.Rect, kinds: Sequence[str]) -> None:
+        """Nothing; draws a curve for each table, and what to look for."""
+        letters.draw(surface, "Balls lost through walls", area.topleft, 14, colours.TEXT)
+        letters.draw(surface, TRY, (area.left, area.top + 22), 12, colours.MUTED)
+        chart = pygame.Rect(area.left, area.top + 52, area.width - 44, area.height - 74)
+        span = max(LEAST_SPAN, self._time - self._points[0][0])
+        most = max(LEAST_COUNT, *(max(counts) for _, counts in self._points))
+        for part in (0.0, 0.5, 1.0):
+            y = chart.bottom - round(part * chart.height)
+            pygame.draw.line(surface, colours.RULE, (chart.left, y), (chart.right, y))
+        letters.draw(surface, f"{span:.0f} s ago", (chart.left, chart.bottom + 4), 11, colours.FAINT)
+        letters.draw(surface, "now", (chart.right, chart.bottom + 4), 11, colours.FAINT, anchor="end")
+        for place in reversed(range(len(kinds))):
+            colour = LOOKS[kinds[place]][0]
+            points = [
+                (
+                    chart.right - (self._time - time) / span * chart.width,
+                    chart.bottom - counts[place] / most * chart.height,
+                )
+                for time, counts in self._points
+            ]
+            points.append((float(chart.right), points[-1][1]))
+            pygame.draw.lines(surface, colour, False, points, 3)
+            last = self._points[-1][1][place]
+            letters.draw(surface, short(last), (chart.right + 10, points[-1][1] - 11), 15, colour)
+
+
+def draw_captions(surface: pygame.Surface, letters: Letters, views: Sequence[View], kinds: Sequence[str]) -> None:
+    """Nothing; draws the name of each detection above its table, and its counts below."""
+    for view, kind in zip(views, kinds, strict=True):
+        colour, words = LOOKS[kind]
+        left, top = view.area.left + 16, view.area.top - HEAD
+        letters.draw(surface, kind, (left, top + 16), 22, colour)
+        letters.draw(surface, words, (left, top + 44), 12, colours.MUTED)
+        table, rates = view.table, view.figures.rates
+        counts = (
+            (short(table.launched), "launched", colours.TEXT),
+            (short(table.in_play), "in play", colours.TEXT),
+            (short(table.strays), "lost through walls", colours.BAD if table.strays else colours.GOOD),
+            (short(rates.box_tests), "box tests / s", colours.TEXT),
+        )
+        for place, (number, label, ink) in enumerate(counts):
+            x = left + place * (view.area.width - 16) / len(counts)
+            letters.draw(surface, number, (x, view.area.bottom + 14), 28, ink)
+            letters.draw(surface, label, (x, view.area.bottom + 48), 11, colours.MUTED)

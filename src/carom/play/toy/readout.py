@@ -1,0 +1,39 @@
+"""The strip below the table: the numbers of what the mouse points at, or what can be done."""
+
+from __future__ import annotations
+
+import pygame
+
+from carom.play.letters import Letters
+from carom.play.toy import colours
+from carom.play.toy.probe import Reading
+
+SIDE, SMALL, LARGE = 18, 11, 14
+#: Pixels: the widths between numbers, and from a line to the next.
+GAP, LINE = 18, 32
+HINTS = (
+    ("Space", "launch a ball"),
+    ("drag a ball", "throw it"),
+    ("point at a shape", "read its numbers"),
+    ("R", "rotate the blue parts"),
+    ("F1", "all keys"),
+)
+
+
+def draw_reading(surface: pygame.Surface, letters: Letters, area: pygame.Rect, reading: Reading | None) -> None:
+    """Nothing; draws numbers, or hints where there are none."""
+    surface.fill(colours.PAPER, area)
+    x, y = area.left + SIDE, area.top + 8
+    title, pairs = ("", HINTS) if reading is None else (reading.title, reading.pairs)
+    if title:
+        letters.draw(surface, title, (x, y), LARGE, colours.ACCENT)
+        y += 22
+    else:
+        y += 18
+    for label, number in pairs:
+        width = max(letters.width(label, SMALL), letters.width(number, LARGE - 2))
+        if x + width > area.right - SIDE:
+            x, y = area.left + SIDE, y + LINE
+        letters.draw(surface, label, (x, y), SMALL, colours.FAINT)
+        letters.draw(surface, number, (x, y + 13), LARGE - 2, colours.TEXT)
+        x += width + GAP
