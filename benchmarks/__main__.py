@@ -15,7 +15,7 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import continuous, drawing, galton, gas, memory, pinball, rooms, scaling, startup
+from benchmarks import continuous, drawing, galton, gas, memory, pinball, play, rooms, scaling, startup
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
@@ -26,6 +26,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "rooms": rooms,
     "scaling": scaling,
     "drawing": drawing,
+    "play": play,
     "startup": startup,
     "memory": memory,
 }

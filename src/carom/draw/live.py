@@ -33,8 +33,9 @@ if TYPE_CHECKING:
 SPAN, LIVE_BANDS = 1.5, 4
 #: The ink of balls that sleep.
 ASLEEP = "off"
-#: What is left, a frame later, of the greatest impulse and speeds, which sizes of marks are relative to.
-FADING = 0.99
+#: The greatest impulse and speeds, which sizes of marks are relative to, are looked at every so many frames; what is
+#: left of them then.
+LOOK, FADING = 10, 0.9
 
 
 class Live:
@@ -85,7 +86,8 @@ class Live:
         self._changing = frozenset(shape.id for shape in changing)
         self._layers = layers_of(layers)
         self._ids = np.zeros(0, np.int64)
-        self._measures = Measures(0.0, 0.0, 0.0)
+        self._measures = Measures(1.0, 1.0, 1.0)
+        self._frames = 0
         self.refresh()
 
     @property
@@ -159,7 +161,9 @@ class Live:
         balls = self._balls()
         tracks = self._wake.tracks() if Layer.TRACKS in self._layers else ()
         hits, latest = self._wake.hits, self._wake.latest
-        self._measures = slowly(self._measures, Measures.of(hits, balls.velocities))
+        if self._frames % LOOK == 0:
+            self._measures = slowly(self._measures, Measures.of(hits, balls.velocities))
+        self._frames += 1
         moment = Moment(
             self._world.time,
             balls,
@@ -206,7 +210,7 @@ def drawn(shape: Shape, material: Any) -> Drawn:
 
 
 def slowly(before: Measures, now: Measures) -> Measures:
-    """What sizes are relative to now, when they were relative to something else a frame before."""
+    """What sizes are relative to now, when they were relative to something else before."""
     return Measures(
         max(now.impulse, FADING * before.impulse),
         max(now.impact_speed, FADING * before.impact_speed),

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: How many bounces are remembered at most.
 MOST_BOUNCES = 200
+#: Seconds between two places of a way where nothing was hit; between them it is drawn straight.
+SPACING = 1 / 24
 
 
 class Wake:
@@ -33,7 +35,8 @@ class Wake:
 
     def forget(self) -> None:
         """Nothing; forgets all that was."""
-        self._ways: dict[int, deque[tuple[float, float, float]]] = {}
+        # Of each ball: time, x, y, and whether it bounced there.
+        self._ways: dict[int, deque[tuple[float, float, float, bool]]] = {}
         self._bounces: Rows = np.zeros(0, HIT)
 
     @property
@@ -57,8 +60,10 @@ class Wake:
             way = self._ways.setdefault(ball, deque())
             if ball in met:
                 times, centers = centers_at(bounces, ball, balls[row].radius)
-                way.extend((at, *center) for at, center in zip(times.tolist(), centers.tolist(), strict=True))
-            way.append((time, x, y))
+                way.extend((at, *center, True) for at, center in zip(times.tolist(), centers.tolist(), strict=True))
+            elif len(way) > 1 and not way[-1][3] and way[-1][0] - way[-2][0] < SPACING:
+                way.pop()
+            way.append((time, x, y, False))
             while way[0][0] < self.since:
                 way.popleft()
 
@@ -70,7 +75,7 @@ class Wake:
     def tracks(self) -> tuple[Track, ...]:
         """The ways of the followed balls, through the places where they bounced."""
         tables = [(ball, np.array(way)) for ball, way in self._ways.items() if len(way) > 1]
-        return tuple(Track(ball, table[:, 0], table[:, 1:]) for ball, table in tables)
+        return tuple(Track(ball, table[:, 0], table[:, 1:3]) for ball, table in tables)
 
     @property
     def hits(self) -> Rows:
