@@ -254,6 +254,10 @@ def test_the_display_says_what_the_game_is_about() -> None:
     assert words(page_of(told(phase=Phase.OVER), 0.0)) == ["GAME OVER", "12,345"]
     assert words(page_of(told(phase=Phase.ENTRY), 0.0))[1] == "A B C"
     assert words(page_of(told(phase=Phase.ENTRY), 0.3))[1] == "A _ C"
+    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6)] == [
+        "FLIPPERS CHOOSE",
+        "SPACE TAKES",
+    ]
 
 
 def test_news_are_shown_with_their_points_but_a_tilt_goes_first() -> None:
@@ -261,6 +265,7 @@ def test_news_are_shown_with_their_points_but_a_tilt_goes_first() -> None:
     effects.note([Event(EventKind.BANK, score=10_000)])
     assert words(page_of(told(), 0.0, effects.news)) == ["TARGETS", "10,000"]
     assert words(page_of(told(tilted=True, message="TILT"), 0.0, effects.news)) == ["TILT", "12,345"]
+    assert words(page_of(told(message="WARNING"), 0.0, effects.news)) == ["WARNING", "12,345"]
     effects.note([Event(EventKind.EXTRA)])
     assert words(page_of(told(), 0.0, effects.news)) == ["EXTRA BALL", ""]
 
