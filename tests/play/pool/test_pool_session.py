@@ -231,6 +231,18 @@ def test_after_a_shot_the_cue_points_at_the_mouse_or_else_at_the_eight() -> None
     assert session.angle == pytest.approx(atan2(10.0 - y, 10.0 - x))
 
 
+def test_who_turned_the_cue_by_keys_has_left_the_mouse() -> None:
+    session = Session()
+    session.point((72.0, 10.0))
+    press(session, Action.TURN_LEFT)
+    session.power = 0.0
+    press(session, Action.SHOOT)
+    while session.pool.phase is Phase.ROLL:
+        session.tick()
+    (x, y), (to_x, to_y) = session.pool.cue.position, session.pool.eight.position
+    assert session.angle == pytest.approx(atan2(to_y - y, to_x - x))
+
+
 # -- modes -----------------------------------------------------------------------------------------------------------
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as clock
-from math import atan2
+from math import atan2, cos, pi, sin
 from pathlib import Path
 
 import pygame
@@ -12,7 +12,9 @@ import pytest
 from carom.play.pool import run, setups, sounds
 from carom.play.pool.app import PoolApp
 from carom.play.pool.game import Impact, Phase, Setup
+from carom.play.pool.layout import SCALE
 from carom.play.pool.session import Mode
+from carom.play.pool.table_art import pockets
 from carom.play.window import Window
 from tests.play import screens
 
@@ -185,6 +187,8 @@ def test_a_short_game_is_won_by_keys() -> None:
     player.frames(1)
     assert player.heard == [Impact.STRIKE, Impact.BALLS, Impact.POCKET, sounds.WON]
     assert player.session.won == 1
+    pocket = next(arc for arc in pockets(player.pool.world) if arc.center[0] > 200.0 and arc.center[1] > 100.0)
+    assert brightened(player, pocket.center, 5.2 * SCALE) > 0.6
 
 
 def test_a_short_game_is_lost_by_the_mouse() -> None:
@@ -197,6 +201,65 @@ def test_a_short_game_is_lost_by_the_mouse() -> None:
     player.frames(30)
     assert player.pool.phase is Phase.LOST
     assert player.heard == [Impact.STRIKE, sounds.LOST, Impact.POCKET]
+
+
+def brightened(player: Player, place: tuple[float, float], radius: float) -> float:
+    """The part of a circle round a place of the table, `radius` pixels wide, that is brighter than the bare table."""
+    x, y = player.app.view.layout.pixel(place)
+    angles = [2.0 * pi * part / 40.0 for part in range(40)]
+    pixels = [(round(x + radius * cos(angle) - 0.5), round(y + radius * sin(angle) - 0.5)) for angle in angles]
+    screen, table = player.window.surface, player.app.view.table
+    return sum(sum(screen.get_at(pixel)[:3]) > sum(table.get_at(pixel)[:3]) + 60 for pixel in pixels) / len(pixels)
+
+
+def test_the_ghost_ball_is_a_ring_where_the_cue_ball_will_be() -> None:
+    player = Player()
+    player.point((190.0, 60.0))
+    shown = player.session.preview() or pytest.fail("there is no line of aim")
+    radius = player.app.view.radius
+    assert brightened(player, shown.aim.ghost, radius) > 0.7
+    assert brightened(player, (127.0, 90.0), radius) == 0.0
+
+
+def test_collision_mode_draws_a_ring_where_each_ball_was() -> None:
+    player = Player(Setup(cue=(200.0, 60.0), eight=(220.0, 66.0)))
+    player.session.angle, player.session.power = 0.2914567944778671, 0.5
+    player.press(pygame.K_s)
+    player.press(pygame.K_RETURN)
+    player.press(pygame.K_b)
+    for _ in range(12):
+        player.press(pygame.K_n)
+    places = dict(player.pool.marks[0].balls)
+    radius = player.app.view.radius
+    assert brightened(player, places["eight"], radius) < 0.2
+    player.press(pygame.K_c)
+    assert brightened(player, places["cue ball"], radius) > 0.5
+    assert brightened(player, places["eight"], radius) > 0.5
+
+
+def test_the_pocket_that_a_ball_would_reach_has_a_ring() -> None:
+    player = Player(DANGER)
+    near = pockets(player.pool.world)
+    pocket = next(arc.center for arc in near if arc.center[0] > 200.0 and arc.center[1] > 100.0)
+    others = [arc.center for arc in near if arc.center != pocket]
+    for place, towards in ((DANGER, (254.0, 127.0)), (EASY, EASY.eight)):
+        player.pool.place(place)
+        player.session.power = 0.3
+        player.point(towards)
+        assert brightened(player, pocket, 5.2 * SCALE) > 0.6
+        assert max(brightened(player, other, 5.2 * SCALE) for other in others) < 0.2
+
+
+def test_step_mode_draws_an_arrow_where_a_ball_goes() -> None:
+    player = Player()
+    player.session.angle, player.session.power = pi / 2.0, 0.4
+    player.press(pygame.K_RETURN)
+    player.frames(3)
+    x, y = player.pool.cue.position
+    ahead = (x, y + player.pool.cue.radius + 0.1 * player.pool.cue.velocity[1])
+    assert brightened(player, ahead, 1.0) == 0.0
+    player.press(pygame.K_s)
+    assert brightened(player, ahead, 1.0) > 0.2
 
 
 # -- events ----------------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import pygame
@@ -12,6 +13,7 @@ from carom.play.pool.actions import HELP
 from carom.play.pool.game import Phase, speed_of
 from carom.play.pool.layout import BAD, GOLD, GOOD, IVORY, MUTED, SIZE, Colour, Layout
 from carom.play.pool.session import Mode, Session
+from carom.play.pool.sprites import put
 
 if TYPE_CHECKING:
     from carom.play.meter import FrameMeter
@@ -45,7 +47,7 @@ class Hud:
         self._bottom(surface, session, meter)
         self._power(surface, session)
         if Mode.HELP in session.modes:
-            self._help(surface)
+            put(surface, self._help, self.middle)
         elif session.pool.over and session.since_end > WAIT:
             self._end(surface, session)
 
@@ -107,20 +109,19 @@ class Hud:
         picture.set_alpha(round(255.0 * share))
         surface.blit(picture, panel)
 
-    def _help(self, surface: pygame.Surface) -> None:
-        """Nothing; says what each key and each button does."""
-        panel = pygame.Rect(0, 0, 860, 92 + 24 * len(HELP))
-        panel.center = (round(self.middle[0]), round(self.middle[1]))
-        surface.blit(_panel(panel.size, GOLD), panel)
-        x, y = panel.topleft
-        self.letters.draw(surface, "The pool end game", (x + 36, y + 20), 24, GOLD)
+    @cached_property
+    def _help(self) -> pygame.Surface:
+        """What each key and each button does, on a panel."""
+        picture = _panel((860, 92 + 24 * len(HELP)), GOLD)
+        self.letters.draw(picture, "The pool end game", (36, 20), 24, GOLD)
         rule = "Pot the eight and keep the cue ball on the table."
-        self.letters.draw(surface, rule, (panel.right - 36, y + 27), 15, IVORY, anchor="end")
+        self.letters.draw(picture, rule, (picture.get_width() - 36, 27), 15, IVORY, anchor="end")
         for line, (keys, buttons, what) in enumerate(HELP):
-            below = y + 68 + 24 * line
-            self.letters.draw(surface, keys, (x + 36, below), 15, IVORY)
-            self.letters.draw(surface, buttons, (x + 270, below), 15, MUTED)
-            self.letters.draw(surface, what, (x + 410, below), 15, IVORY)
+            below = 68 + 24 * line
+            self.letters.draw(picture, keys, (36, below), 15, IVORY)
+            self.letters.draw(picture, buttons, (270, below), 15, MUTED)
+            self.letters.draw(picture, what, (410, below), 15, IVORY)
+        return picture
 
 
 #: What the switches are called where they are on.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from carom.play.pool import setups
 from carom.play.pool.actions import Action
-from carom.play.pool.game import STEP, Phase, Pool, Vector
+from carom.play.pool.game import STEP, Phase, Pool, Setup, Vector
 from carom.play.pool.preview import Preview, preview
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class Session:
         self.draw: float | None = None
         self.since_shot = self.since_end = 10.0
         self._pointer: Vector | None = None
-        self._seen: tuple[tuple[float, str, int, int], Preview | None] | None = None
+        self._seen: tuple[tuple[float, Phase, int, Setup], Preview | None] | None = None
         self._aim_at_eight()
 
     # -- the aim -----------------------------------------------------------------------------------------------------
@@ -113,7 +113,7 @@ class Session:
         """What the shot would do, while the player aims."""
         if self.pool.phase is not Phase.AIM:
             return None
-        key = (self.angle, self.pool.phase.value, self.pool.shots, self.number)
+        key = (self.angle, self.pool.phase, self.pool.shots, self.pool.setup)
         if self._seen is None or self._seen[0] != key:
             self._seen = key, preview(self.pool, self.direction)
         return self._seen[1]
@@ -201,7 +201,6 @@ class Session:
             setups.setup(self.pool, number, self.seed)
         self.draw = None
         self.since_shot = 10.0
-        self._seen = None
         self._aim_at_eight()
 
     def _quit(self) -> None:
