@@ -10,7 +10,7 @@ import pytest
 import carom
 from carom.play.controls import Button
 from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, Score, art, art_back, run, sounds
-from carom.play.pinball.app import BUTTONS, KEYS
+from carom.play.pinball.app import BEHIND, BUTTONS, KEYS
 from carom.play.pinball.lines import Mode
 from carom.play.window import Window
 from tests.play import screens
@@ -61,9 +61,10 @@ def tapped(window: Window, number: int, frames: int = 1) -> None:
     window.frame(STEP)
 
 
-def bytes_of(window: Window) -> bytes:
-    """The picture in a window."""
-    return pygame.image.tobytes(window.surface, "RGB")
+def bytes_of(window: Window, area: pygame.Rect | None = None) -> bytes:
+    """The picture in a window, or in an area of it."""
+    shown = window.surface if area is None else window.surface.subsurface(area)
+    return pygame.image.tobytes(shown, "RGB")
 
 
 def keep(name: str, window: Window, renew: bool, folder: Path) -> None:
@@ -120,9 +121,16 @@ def test_the_plunger_is_drawn_while_its_key_is_held_and_shoots_the_ball() -> Non
 def test_nudges_move_the_picture_and_calm_down() -> None:
     app, window = session()
     tapped(window, pygame.K_RETURN)
-    for number, axis, sign in ((pygame.K_a, 0, -1), (pygame.K_d, 0, 1), (pygame.K_w, 1, -1)):
+    back = bytes_of(window, pygame.Rect(470, 60, 60, 60))
+    for number, axis, sign, bared in (
+        (pygame.K_a, 0, -1, (414, 400)),
+        (pygame.K_d, 0, 1, (1, 400)),
+        (pygame.K_w, 1, -1, (200, 838)),
+    ):
         tapped(window, number)
         assert app.view.effects.shift[axis] * sign > 0
+        assert window.surface.get_at(bared)[:3] == BEHIND
+        assert bytes_of(window, pygame.Rect(470, 60, 60, 60)) == back, "the back is not nudged"
         for _ in range(3):
             app.view.effects.advance(0.1)
         assert app.view.effects.shift == (0, 0)

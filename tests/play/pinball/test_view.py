@@ -254,6 +254,10 @@ def test_the_display_says_what_the_game_is_about() -> None:
     assert words(page_of(told(phase=Phase.OVER), 0.0)) == ["GAME OVER", "12,345"]
     assert words(page_of(told(phase=Phase.ENTRY), 0.0))[1] == "A B C"
     assert words(page_of(told(phase=Phase.ENTRY), 0.3))[1] == "A _ C"
+    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6)] == [
+        "FLIPPERS CHOOSE",
+        "SPACE TAKES",
+    ]
 
 
 def test_news_are_shown_with_their_points_but_a_tilt_goes_first() -> None:
@@ -261,6 +265,7 @@ def test_news_are_shown_with_their_points_but_a_tilt_goes_first() -> None:
     effects.note([Event(EventKind.BANK, score=10_000)])
     assert words(page_of(told(), 0.0, effects.news)) == ["TARGETS", "10,000"]
     assert words(page_of(told(tilted=True, message="TILT"), 0.0, effects.news)) == ["TILT", "12,345"]
+    assert words(page_of(told(message="WARNING"), 0.0, effects.news)) == ["WARNING", "12,345"]
     effects.note([Event(EventKind.EXTRA)])
     assert words(page_of(told(), 0.0, effects.news)) == ["EXTRA BALL", ""]
 
@@ -302,7 +307,11 @@ def test_a_page_is_made_once_and_lights_its_dots() -> None:
     page = Page((Line("I", 0, anchor="start"), Line("", 9), Line("é", 30, 2, 0.5, "end")), (Bar(20, 4, 2.0),))
     picture = display.picture(page)
     assert picture.get_size() == (dots.COLUMNS * dots.DOT, dots.ROWS * dots.DOT)
+    corner = picture.get_at((0, 0))
+    picture.set_at((0, 0), (255, 0, 255))
     assert display.picture(page) is picture
+    assert picture.get_at((0, 0))[:3] == (255, 0, 255), "the same page was made anew"
+    picture.set_at((0, 0), corner)
     lights = dots.lights_of(page)
     assert lights[1:4, :7].tolist() == [[1, 0, 0, 0, 0, 0, 1], [1] * 7, [1, 0, 0, 0, 0, 0, 1]]
     assert lights[2 : dots.COLUMNS - 2, 20:24].min() == 1.0

@@ -192,4 +192,11 @@ class PinballApp:
 
 def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
     """The times of all frames of a session: played until it is left, or for some seconds."""
-    return play(lambda: PinballApp(tell), seconds)
+
+    def ready() -> PinballApp:
+        """The game after its first step, the first of which on a machine compiles: before the window opens."""
+        app = PinballApp(tell)
+        app.game.tick()
+        return app
+
+    return play(ready, seconds)

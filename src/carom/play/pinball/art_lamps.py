@@ -117,16 +117,16 @@ def lenses(world: carom.World) -> dict[str, Lens]:
 def _signs() -> dict[str, Lens]:
     """The lenses that belong to no shape."""
     found = {
-        name: _disc((MIDDLE + (number - 1.5) * 1.3, y), 0.52, (GOLD, GOLD, CORAL, CORAL)[number], name.upper(), 0.74)
+        name: _disc((MIDDLE + (number - 1.5) * 1.3, y), 0.52, (GOLD, GOLD, CORAL, CORAL)[number], name.upper(), 0.8)
         for number, (name, y) in enumerate(zip(lamps.MULTIPLIERS, MULTIPLIER_HEIGHTS, strict=True))
     }
-    found["shoot again"] = _disc((MIDDLE, 10.35), 0.7, CORAL, "SHOOT\nAGAIN", 0.4)
+    found["shoot again"] = _disc((MIDDLE, 10.35), 0.7, CORAL, "SHOOT\nAGAIN", 0.44)
     for name, x, colour, word in (
         ("multiball", MIDDLE - 1.25, TEAL, "MULTI\nBALL"),
         ("jackpot", MIDDLE + 1.25, GOLD, "JACK\nPOT"),
     ):
         spot = (x, 14.6)
-        found[name] = Lens(spot, tuple(star(spot, 1.12, 0.82, 8)), colour, word, 0.44)
+        found[name] = Lens(spot, tuple(star(spot, 1.12, 0.82, 8)), colour, word, 0.5)
     return found
 
 

@@ -25,6 +25,8 @@ GOLD: Colour = (255, 190, 66)
 CREAM: Colour = (255, 242, 210)
 TEAL: Colour = (36, 214, 196)
 
+#: The size of letters of which a line is one unit high.
+LETTERS = 0.69
 #: How much larger art is painted than it is shown; what is shown is the mean of so many pixels each way.
 FINER = 3
 
@@ -162,7 +164,7 @@ class Canvas:
     def words(self, text: str, center: Spot, size: float, colour: Colour, apart: float = 0.0) -> None:
         """Nothing; writes words round their middle: `size` and the room between letters are in units."""
         pygame.font.init()
-        font = load(round(size * self.fine))
+        font = load(round(LETTERS * size * self.fine))
         letters = [font.render(letter, True, colour) for letter in text]
         room = apart * self.fine
         width = sum(letter.get_width() for letter in letters) + room * (len(letters) - 1)

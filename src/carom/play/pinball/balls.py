@@ -13,8 +13,8 @@ from carom.play.pinball.table import BALL_RADIUS, SERVE_PLACE, Table
 LOOK, PATIENCE = 48, 4 * 480
 #: The speed of the first push that frees a ball, in units/s; each that follows is stronger by as much.
 FREEING, MOST_FREEING = 8.0, 40.0
-#: A ball slower than this lies still.
-STILL = 0.5
+#: A ball that is nearer to the plunger than this is on it; one slower than that lies still.
+NEAR, STILL = 0.05, 0.5
 
 
 class BallState:
@@ -73,12 +73,16 @@ class Balls:
         return [state for state in self.states.values() if not state.held]
 
     def on_plunger(self) -> BallState | None:
-        """The ball that lies still on the plunger, or None."""
+        """The ball that touches the plunger, or nearly, or None."""
         for state in self.states.values():
-            near = self.table.plunger.distance(state.ball.position) < BALL_RADIUS + 0.05
-            if near and hypot(*state.ball.velocity) < STILL:
+            if state.held and self.table.plunger.distance(state.ball.position) < BALL_RADIUS + NEAR:
                 return state
         return None
+
+    def ready(self) -> bool:
+        """Whether a ball lies still on the plunger."""
+        state = self.on_plunger()
+        return state is not None and hypot(*state.ball.velocity) < STILL
 
     def watch(self) -> tuple[list[BallState], list[BallState]]:
         """The balls that have come onto the field in this step, and those that are where none can be."""

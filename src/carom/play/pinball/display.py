@@ -13,8 +13,10 @@ from carom.play.pinball.effects import Effects, News
 from carom.play.pinball.game import BALLS, Pinball
 from carom.play.pinball.lamps import LampState
 
-#: Seconds that a page of the demonstration stays, and those of half a blink.
-PAGE_TIME, BLINK_TIME = 3.0, 0.25
+#: Seconds that a page of the demonstration stays, those of a hint, and those of half a blink.
+PAGE_TIME, HINT_TIME, BLINK_TIME = 3.0, 1.5, 0.25
+#: What is shown before any news.
+URGENT = {"WARNING", "TILT"}
 #: How many times a second the bulbs round the painting change, and in a show of lamps.
 CHASE, CHASE_OF_SHOW = 3.0, 14.0
 #: High scores on one page.
@@ -28,7 +30,7 @@ def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:
     if game.phase is Phase.ATTRACT:
         return _demonstration(game, seconds, lit)
     if game.phase is Phase.ENTRY:
-        return _entry(game, lit)
+        return _entry(game, seconds)
     if game.phase is Phase.BONUS:
         return Page(
             (
@@ -39,7 +41,7 @@ def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:
         )
     if game.phase is Phase.OVER:
         return Page((Line("GAME OVER", 2, 2), Line(f"{game.score:,}", 21, 2)))
-    if news is not None and not game.tilted:
+    if news is not None and game.message not in URGENT:
         return _news(news, lit)
     if game.message == f"BALL {game.ball_number}":
         return _score(game, lit)
@@ -78,14 +80,16 @@ def _notice(game: Pinball, lit: bool) -> Page:
     return Page((*(Line(words, 2 + 9 * place, 1, 1.0 if lit else 0.75) for place, words in enumerate(lines)), score))
 
 
-def _entry(game: Pinball, lit: bool) -> Page:
-    """The initials that are being chosen; the one in turn blinks."""
+def _entry(game: Pinball, seconds: float) -> Page:
+    """The initials that are being chosen, the one in turn blinking, and what to press."""
+    lit = int(seconds / BLINK_TIME) % 2 == 0
+    hint = ("FLIPPERS CHOOSE", "SPACE TAKES")[int(seconds / HINT_TIME) % 2]
     shown = "".join(letter if place != game.initial_place or lit else "_" for place, letter in enumerate(game.initials))
     return Page(
         (
             Line("HIGH SCORE", 0),
             Line(" ".join(shown), 9, 2),
-            Line("FLIPPERS CHOOSE", 27, 1, 0.7),
+            Line(hint, 27, 1, 0.7),
         )
     )
 

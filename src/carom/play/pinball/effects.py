@@ -10,7 +10,7 @@ from carom.play.pinball.events import Event, EventKind
 from carom.play.pinball.lamps import LANES
 
 #: Seconds that each lasts.
-KICK, SPARK, POINTS, SHAKE, SHOW, NEWS = 0.12, 0.18, 0.8, 0.22, 1.4, 1.6
+KICK, SPARK, POINTS, SHAKE, SHOW, NEWS = 0.12, 0.18, 0.8, 0.22, 1.4, 2.05
 #: The least speed of an impact that makes a spark, and of sparks and points the most at once.
 SPARKS_FROM, MOST = 24.0, 12
 #: Points worth floating over the table.

@@ -441,7 +441,7 @@ class Pinball:
             self._automatic = True
         if self._automatic:
             self._wait += 1
-            if self._wait % AUTO_WAIT == 0 and self._balls.on_plunger() is not None:
+            if self._wait % AUTO_WAIT == 0 and self._balls.ready():
                 self._launch(AUTO_SPEED + AUTO_CHANCE * self._random.random())
         if self._rules.multiball and not due and len(self._balls) < 2:
             self._rules.end_multiball()

@@ -12,7 +12,7 @@ KEYS = (
     ("Right Shift, /, Right", "right flipper; moves the lit lanes to the right"),
     ("Space, Down", "hold to draw the plunger, let go to shoot; starts a game"),
     ("Return, 1", "starts a game"),
-    ("A, D, W", "nudge the table: to the left, to the right, upward"),
+    ("A, D, W or Up", "nudge the table: to the left, to the right, upward"),
     ("F1", "this help"),
     ("F2", "frame rate and the time that a frame takes"),
     ("F3", "art, art and exact lines, lines alone"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from math import hypot, inf
 from random import Random
 from typing import TYPE_CHECKING
@@ -46,8 +47,12 @@ class Player:
         self._game = game
         self._random = Random(seed)
         self._press = game.press if press is None else press
-        self._foresight = Foresight()
         self.begin()
+
+    @cached_property
+    def _foresight(self) -> Foresight:
+        """The table of its own, made when it first thinks."""
+        return Foresight()
 
     def begin(self) -> None:
         """Nothing; forgets what was planned, for a new game."""
