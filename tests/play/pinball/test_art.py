@@ -10,6 +10,7 @@ import carom
 from carom.play.pinball import art, art_back, art_parts, art_sprites, lamps
 from carom.play.pinball.art_lamps import lenses
 from carom.play.pinball.art_paint import CORAL, NIGHT, Canvas, bow, glow, mixed, star
+from carom.play.pinball.table import BALL_RADIUS
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +71,7 @@ def test_flippers_cover_their_shapes_at_each_angle(world: carom.World, pictures:
 
 
 def test_a_ball_is_round_and_as_large_as_balls_are(pictures: art.Art) -> None:
-    radius = art.BALL_RADIUS * art.SCALE
+    radius = BALL_RADIUS * art.SCALE
     middle = pictures.ball.get_width() / 2.0
     for number in range(16):
         angle = number * pi / 8.0

@@ -14,12 +14,12 @@ from carom.play.pinball.art_ground import paint_print, sky
 from carom.play.pinball.art_lamps import Light, lenses, light_of, paint_unlit
 from carom.play.pinball.art_paint import TEAL, Canvas, Spot, glow, opaque
 from carom.play.pinball.art_parts import band_of, paint_parts
+from carom.play.pinball.table import BALL_RADIUS
 
 #: Pixels per unit, and what of the world the table's picture shows: the field, the cabinet round it.
 SCALE = 19.0
 SIZE = (416, 840)
 BOX = carom.Aabb(-0.9, -1.2, -0.9 + SIZE[0] / SCALE, -1.2 + SIZE[1] / SCALE)
-BALL_RADIUS = 0.6
 
 
 def pixel(spot: Spot) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from math import pi
 
 from carom.play.pinball.art_paint import CORAL, CREAM, GOLD, INDIGO, NIGHT, TEAL, Canvas, Spot, bow, mixed
-from carom.play.pinball.art_parts import DARK_STEEL, FLOOR, LACQUER, STEEL, AnyShape, outlines
+from carom.play.pinball.art_parts import DARK_STEEL, FLOOR, LACQUER, LANE_WALL, STEEL, AnyShape, outlines
 
 #: How high the balls stand over the trough that are seen through its window, in units.
 WINDOW = (0.12, 1.14)
@@ -38,7 +38,7 @@ def paint_apron(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
 
 def paint_trough(canvas: Canvas) -> None:
     """Nothing; darkens the ground below the apron."""
-    canvas.fill([(0.0, DIP), (18.6, DIP), (18.6, FLOOR), (0.0, FLOOR)], (*NIGHT, 215))
+    canvas.fill([(0.0, DIP), (LANE_WALL, DIP), (LANE_WALL, FLOOR), (0.0, FLOOR)], (*NIGHT, 215))
 
 
 def _dip(middle: float) -> list[Spot]:

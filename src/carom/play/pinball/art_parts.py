@@ -34,7 +34,8 @@ DARK_STEEL: Colour = (74, 80, 108)
 LACQUER: Colour = (24, 16, 44)
 RAILS = ("lane wall", "left orbit guide", "right orbit guide", "left inlane guide", "right inlane guide")
 SHADOW: Spot = (0.16, -0.2)
-MIDDLE = 9.3  # of the field
+LANE_WALL, WIDTH = 18.6, 20.0  # between which the plunger lane is painted
+MIDDLE = 0.5 * LANE_WALL  # of the field
 FLOOR = -0.72  # the cabinet's inner edge below the apron
 #: Ends of shapes this close together are one place.
 MEETS = 1e-6
@@ -209,11 +210,12 @@ def _gate(canvas: Canvas, gate: carom.Gate) -> None:
 
 def _lane(canvas: Canvas) -> None:
     """Nothing; paints the plunger lane: a dark channel with chevrons that climb."""
-    canvas.fill([(18.6, -1.2), (20.0, -1.2), (20.0, 31.6), (18.6, 30.8)], (*NIGHT, 190))
+    canvas.fill([(LANE_WALL, -1.2), (WIDTH, -1.2), (WIDTH, 31.6), (LANE_WALL, 30.8)], (*NIGHT, 190))
     for number in range(13):
         y = 7.0 + number * 1.9
         colour = mixed(CORAL, TEAL, number / 12.0)
-        chevron = [(18.9, y), (19.3, y + 0.42), (19.7, y), (19.7, y + 0.3), (19.3, y + 0.72), (18.9, y + 0.3)]
+        x = 0.5 * (LANE_WALL + WIDTH)
+        chevron = [(x - 0.4, y), (x, y + 0.42), (x + 0.4, y), (x + 0.4, y + 0.3), (x, y + 0.72), (x - 0.4, y + 0.3)]
         canvas.fill(chevron, (*colour, 190))
 
 
