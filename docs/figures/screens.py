@@ -4,9 +4,6 @@ import os
 import sys
 from pathlib import Path
 
-for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
-    os.environ[driver] = "dummy"
-
 import pygame
 
 from carom.play.pinball.app import PinballApp
@@ -33,6 +30,8 @@ def keep(game: Game, keys: list[int], frames: int, path: Path, mouse: tuple[int,
 
 def main(folder: Path) -> None:
     """Nothing; writes the pictures into a folder."""
+    for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
+        os.environ[driver] = "dummy"
     keep(PinballApp(print, Pinball(seed=3)), [], 1500, folder / "pinball-game.jpg")
     shot = [*[pygame.K_UP] * 8, pygame.K_c, pygame.K_RETURN]
     keep(PoolApp(print), shot, 200, folder / "pool-game.jpg", mouse=(843, 440))
