@@ -22,6 +22,7 @@ class Counting:
 
     def __init__(self, frames: int = 3) -> None:
         self.running = True
+        self.meter = FrameMeter(60)
         self.keys: list[int] = []
         self.seconds: list[float] = []
         self._frames = frames
@@ -49,7 +50,7 @@ def test_a_window_gives_events_and_time_and_shows_the_picture() -> None:
     assert game.seconds == [0.02, 0.25], "a frame that took longer counts as a quarter of a second"
     assert window.surface.get_size() == game.size
     assert tuple(window.surface.get_at((5, 5)))[:3] == (10, 20, 30)
-    assert window.meter.frames == 2
+    assert game.meter.frames == 2
 
 
 def test_a_window_that_is_closed_ends_the_game() -> None:

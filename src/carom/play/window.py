@@ -34,11 +34,13 @@ class Game(Protocol):
         title: The window's title.
         size: Width and height of the picture in pixels; the window may be larger or smaller.
         running: False once the game wants to be closed.
+        meter: Takes the times of the frames; a game makes it and may show what it says.
     """
 
     title: str
     size: tuple[int, int]
     running: bool
+    meter: FrameMeter
 
     def handle(self, event: pygame.event.Event) -> None:
         """Nothing; takes one event. Places of the mouse are in the picture's pixels."""
@@ -55,14 +57,13 @@ class Window:
 
     def __init__(self, game: Game) -> None:
         self._game = game
-        self.meter = FrameMeter(RATE)
         self.surface = open_screen(game.size)
         pygame.display.set_caption(game.title)
 
     def frame(self, seconds: float) -> None:
         """Nothing; one frame, `seconds` after the last one."""
         game = self._game
-        self.meter.begin()
+        game.meter.begin()
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
                 game.running = False
@@ -73,7 +74,7 @@ class Window:
                 game.handle(event)
         game.advance(min(seconds, LONGEST_FRAME))
         game.draw(self.surface)
-        self.meter.end()
+        game.meter.end()
         pygame.display.flip()
 
     def run(self, seconds: float | None = None) -> FrameMeter:
@@ -84,7 +85,7 @@ class Window:
             self.frame(passed)
             passed = ticking.tick(RATE) / 1e3
             left = None if left is None else left - passed
-        return self.meter
+        return self._game.meter
 
 
 def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:

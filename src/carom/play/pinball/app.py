@@ -139,7 +139,6 @@ class PinballApp:
 
     def advance(self, seconds: float) -> None:
         """Nothing; makes the steps of the game that are due, with their sounds."""
-        self.meter.begin()
         if self._away and self.game.phase is not Phase.ATTRACT:
             self.paused = True
         if self.paused or self.helping:
@@ -173,7 +172,6 @@ class PinballApp:
             draw_help(surface, self._letters)
         elif self.paused:
             self._plate(surface, "PAUSE", (art.SIZE[0] // 2, 392), 34)
-        self.meter.end()
 
     def _draw_rate(self, surface: pygame.Surface) -> None:
         """Nothing; draws frames a second and the work of each."""

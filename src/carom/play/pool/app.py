@@ -74,7 +74,6 @@ class PoolApp:
 
     def advance(self, seconds: float) -> None:
         """Nothing; makes the steps that are due, and the sounds of what happened in them."""
-        self.meter.begin()
         for _ in range(self._ticker.due(seconds)):
             self.session.tick()
         self._sound()
@@ -93,7 +92,6 @@ class PoolApp:
     def draw(self, surface: pygame.Surface) -> None:
         """Nothing; draws the frame."""
         self.view.draw(surface, self.session, self.meter)
-        self.meter.end()
 
 
 def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:

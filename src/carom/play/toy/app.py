@@ -120,7 +120,6 @@ class Toy:
 
     def advance(self, seconds: float) -> None:
         """Nothing; so much time has gone by."""
-        self.meter.begin()
         self._agree()
         self.desk.hand.wait(seconds)
         parts = self.desk.advance(self._ticker.due(seconds))
@@ -176,7 +175,6 @@ class Toy:
         if self.desk.help:
             draw_help(surface, self._letters, self._stage)
         self.panel.draw(surface)
-        self.meter.end()
 
     def _draw_beside(self, surface: pygame.Surface) -> None:
         """Nothing; draws what is around two tables."""
