@@ -10,9 +10,8 @@ class Entry:
 
     >>> entry = Entry()
     >>> entry.turn(1)
-    >>> entry.accept()
-    >>> entry.initials, entry.place
-    ('BAA', 1)
+    >>> entry.accept(), entry.initials, entry.place
+    (False, 'BAA', 1)
     """
 
     def __init__(self) -> None:

@@ -14,6 +14,7 @@ from carom.play.pinball.balls import LOOK, Balls, BallState
 from carom.play.pinball.controls import NUDGES, Control, Phase
 from carom.play.pinball.entry import Entry
 from carom.play.pinball.events import Event, EventKind
+from carom.play.pinball.journal import Journal
 from carom.play.pinball.lamps import LampState
 from carom.play.pinball.ledger import Ledger
 from carom.play.pinball.player import Player
@@ -34,18 +35,6 @@ BONUS_POINTS = 250
 UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
-#: What the display says of events, and for how many steps.
-NOTICES = {
-    EventKind.BANK: "BANK",
-    EventKind.EXTRA: "EXTRA BALL",
-    EventKind.KNOCK: "NEW HIGH SCORE",
-    EventKind.LANES: "BONUS MULTIPLIER",
-    EventKind.MULTIBALL: "MULTIBALL",
-    EventKind.SAVE: "BALL SAVED",
-    EventKind.WARNING: "WARNING",
-}
-JACKPOTS = (EventKind.ORBIT, EventKind.BANK)
-NOTICE_TIME = 2 * RATE
 #: Steps between two looks at where balls are, and at the spinner.
 WATCH = 4
 SPIN_LOOK = 24
@@ -71,7 +60,7 @@ class Pinball:
         self._random = Random(seed)
         self.table = Table()
         self._balls = Balls(self.table, self._random)
-        self._events: list[Event] = []
+        self._journal = Journal()
         self._rules = Rules(self.table, self._emit, self._random)
         self._presses: list[tuple[Control, bool]] = []
         self._entry = Entry()
@@ -172,13 +161,11 @@ class Pinball:
             return f"BONUS {self.bonus:,} x {self.multiplier}"
         if self.tilted:
             return "TILT"
-        return self._notice if self._notice_left else f"BALL {self.ball_number}"
+        return self._journal.notice or f"BALL {self.ball_number}"
 
     def take_events(self) -> list[Event]:
         """What has happened since this was last asked, in order."""
-        events = list(self._events)
-        self._events.clear()
-        return events
+        return self._journal.take()
 
     # -- what can be done --------------------------------------------------------------------------------------------
 
@@ -231,7 +218,7 @@ class Pinball:
         self.plunger_pull = 0.0
         self._pulling = False
         self.warnings, self._unrest = 0, 0.0
-        self._notice, self._notice_left = "", 0
+        self._journal.clear()
         self._owed = 0
         self._automatic = False
         self._rules.start_ball()
@@ -244,12 +231,8 @@ class Pinball:
         self._wait = 0
 
     def _emit(self, event: Event) -> None:
-        """Nothing; notes an event, and has the display say so where it is worth words."""
-        self._events.append(event)
-        jackpot = event.kind in JACKPOTS and event.score and self._rules.multiball
-        words = "JACKPOT" if jackpot else NOTICES.get(event.kind)
-        if words is not None:
-            self._notice, self._notice_left = words, NOTICE_TIME
+        """Nothing; notes an event."""
+        self._journal.note(event, self._rules.multiball)
 
     def _tell(self, kind: EventKind, part: str = "", place: tuple[float, float] = (0.0, 0.0), score: int = 0) -> None:
         """Nothing; notes an event in which nothing was struck."""
@@ -358,8 +341,7 @@ class Pinball:
     def _pass_time(self) -> None:
         """Nothing; lets a step's time pass for rules, plunger, spinner and what rests."""
         self._rules.tick()
-        if self._notice_left:
-            self._notice_left -= 1
+        self._journal.tick()
         if self._pulling:
             self.plunger_pull = min(self.plunger_pull + 1.0 / PULL_TIME, 1.0)
         if self._unrest > 0.0:
