@@ -4,17 +4,16 @@ from collections.abc import Iterator
 
 import pytest
 
-pytest.importorskip("pygame", reason='no pygame: pip install "carom[play]"')
+pygame = pytest.importorskip("pygame", reason='no pygame: pip install "carom[play]"')
 
 
 @pytest.fixture(autouse=True)
 def blind(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """SDL without a screen and without a sound card, closed again after each test."""
+    """SDL without a screen, as large as they are, and without a sound card, closed again after each test."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    monkeypatch.setattr(pygame.display, "get_desktop_sizes", lambda: [(1920, 1080)])
     yield
-    import pygame
-
     pygame.quit()
 
 

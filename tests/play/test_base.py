@@ -10,8 +10,9 @@ import carom
 from carom.play.controls import Button, Controls
 from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
+from carom.play.screen import NoDisplay, window_size
 from carom.play.sound import RATE, Speaker, faded, joined, mixed, noise, samples, tone
-from carom.play.window import NoDisplay, Ticker, Window, play
+from carom.play.window import Ticker, Window, play
 
 
 class Counting:
@@ -67,6 +68,67 @@ def test_f11_is_the_windows_own_key() -> None:
     pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_F11))
     window.frame(0.01)
     assert game.keys == []
+
+
+class Pointing(Counting):
+    """A game that notes where the mouse is, and shows one white corner."""
+
+    def __init__(self) -> None:
+        super().__init__(frames=99)
+        self.places: list[tuple[tuple[int, int], tuple[int, int]]] = []
+
+    def handle(self, event: pygame.event.Event) -> None:
+        if event.type == pygame.MOUSEMOTION:
+            self.places.append((event.pos, event.rel))
+
+    def draw(self, surface: pygame.Surface) -> None:
+        surface.fill((0, 0, 0))
+        surface.fill((255, 255, 255), (150, 90, 50, 30))
+
+
+@pytest.mark.parametrize(
+    ("window_sides", "mouse", "place", "white"),
+    [
+        ((200, 120), (160, 100), (160, 100), (190, 110)),
+        ((400, 240), (320, 200), (160, 100), (380, 220)),
+        ((400, 120), (260, 100), (160, 100), (290, 110)),  # bars at both sides
+        ((100, 90), (80, 65), (160, 100), (95, 70)),  # bars above and below
+    ],
+)
+def test_a_window_of_any_size_shows_all_of_the_picture_and_knows_where_the_mouse_is(
+    window_sides: tuple[int, int], mouse: tuple[int, int], place: tuple[int, int], white: tuple[int, int]
+) -> None:
+    game = Pointing()
+    window = Window(game)
+    pygame.display.set_mode(window_sides, pygame.RESIZABLE)
+    window.frame(0.01)
+    pygame.event.post(pygame.event.Event(pygame.MOUSEMOTION, pos=mouse, rel=(4, 2), buttons=(0, 0, 0)))
+    window.frame(0.01)
+    scale = min(window_sides[0] / 200, window_sides[1] / 120)
+    assert game.places == [(place, (round(4 / scale), round(2 / scale)))]
+    shown = pygame.display.get_surface()
+    assert tuple(shown.get_at(white))[:3] == (255, 255, 255)
+    assert tuple(shown.get_at((window_sides[0] // 2, window_sides[1] // 2)))[:3] == (0, 0, 0)
+    assert window.surface.get_size() == game.size
+
+
+def test_a_picture_larger_than_the_desktop_is_shown_smaller() -> None:
+    assert window_size((800, 840), (1920, 1080)) == (800, 840)
+    width, height = window_size((800, 840), (1366, 768))
+    assert height < 0.9 * 768
+    assert width / height == pytest.approx(800 / 840, rel=0.01)
+
+
+def test_f11_fills_the_screen_and_leaves_it_again() -> None:
+    window = Window(Counting(frames=99))
+    sizes = []
+    for _ in range(3):
+        sizes.append(pygame.display.get_surface().get_size())
+        pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_F11))
+        window.frame(0.01)
+    assert sizes[0] == sizes[2] == (200, 120)
+    assert sizes[1] != (200, 120)
+    assert window.surface.get_size() == (200, 120)
 
 
 def test_a_game_is_played_until_it_ends_or_its_time_is_over() -> None:

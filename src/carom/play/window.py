@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-import os
-import warnings
-from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
 import pygame
 
-import carom
 from carom.play.meter import FrameMeter
+from carom.play.screen import Screen, check_screen
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 #: Frames a second.
 RATE = 60
-#: What SDL opens where there is no screen, unless it was asked for by name.
-BLIND = {"offscreen", "dummy", "evdev"}
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
-
-
-class NoDisplay(carom.CaromError):
-    """There is no screen to open a window on."""
 
 
 class Game(Protocol):
@@ -57,23 +48,29 @@ class Window:
 
     def __init__(self, game: Game) -> None:
         self._game = game
-        self.surface = open_screen(game.size)
+        self._screen = Screen(game.size)
         pygame.display.set_caption(game.title)
+
+    @property
+    def surface(self) -> pygame.Surface:
+        """The game's picture."""
+        return self._screen.picture
 
     def frame(self, seconds: float) -> None:
         """Nothing; one frame, `seconds` after the last one."""
-        game = self._game
+        game, screen = self._game, self._screen
         game.meter.begin()
+        screen.fit()
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
                 game.running = False
             elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
-                with suppress(pygame.error):  # some screens cannot be filled
-                    pygame.display.toggle_fullscreen()
+                screen.toggle_full()
             else:
-                game.handle(event)
+                game.handle(screen.seen(event))
         game.advance(min(seconds, LONGEST_FRAME))
-        game.draw(self.surface)
+        game.draw(screen.picture)
+        screen.show()
         game.meter.end()
         pygame.display.flip()
 
@@ -95,32 +92,6 @@ def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
         return Window(game()).run(seconds)
     finally:
         pygame.quit()
-
-
-def check_screen() -> None:
-    """Nothing; raises `NoDisplay` where there is no screen, unless a driver without one was asked for by name."""
-    try:
-        pygame.display.init()
-    except pygame.error as error:
-        raise NoDisplay(f"no window can be opened: {error}") from None
-    if pygame.display.get_driver() in BLIND and not os.environ.get("SDL_VIDEODRIVER"):
-        raise NoDisplay("no window can be opened: there is no screen (is DISPLAY set?)")
-
-
-def open_screen(size: tuple[int, int]) -> pygame.Surface:
-    """The surface of a window that shows a picture of `size` pixels, scaled to whatever size the window has.
-
-    A picture that is larger than the screen has all of it.
-    """
-    check_screen()
-    width, height = pygame.display.get_desktop_sizes()[0]
-    how = pygame.RESIZABLE if size[0] <= width and size[1] <= height else pygame.FULLSCREEN
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it warns of slow renderers, which the frame rate shows
-            return pygame.display.set_mode(size, pygame.SCALED | how)
-    except pygame.error as error:
-        raise NoDisplay(f"no window of {size[0]} by {size[1]} pixels can be opened: {error}") from None
 
 
 class Ticker:

@@ -116,6 +116,18 @@ def test_escape_leaves() -> None:
     assert not app.running
 
 
+def test_escape_closes_the_help_pauses_a_game_and_leaves_it_at_the_second_press() -> None:
+    app, window = session()
+    tapped(window, pygame.K_RETURN)
+    tapped(window, pygame.K_F1)
+    tapped(window, pygame.K_ESCAPE)
+    assert (app.helping, app.paused, app.running) == (False, False, True)
+    tapped(window, pygame.K_ESCAPE)
+    assert (app.paused, app.running) == (True, True)
+    tapped(window, pygame.K_ESCAPE)
+    assert not app.running
+
+
 @pytest.mark.parametrize("number", [pygame.K_p, pygame.K_F1], ids=["pause", "help"])
 def test_time_stands_still_in_a_pause_and_while_help_is_read(number: int) -> None:
     app, window = session()

@@ -7,7 +7,7 @@ import pytest
 import carom
 from carom.play.pinball import Control, Event, EventKind, HighScores, LampState, Phase, Pinball
 from carom.play.pinball.balls import LOOK, PATIENCE
-from carom.play.pinball.game import AUTO_WAIT, BALLS, ENTRY_TIME, OVER_TIME, PULL_TIME
+from carom.play.pinball.game import AUTO_WAIT, BALLS, ENTRY_TIME, GUARD, OVER_TIME, PULL_TIME
 from carom.play.pinball.lamps import BANK, LANES
 from carom.play.pinball.rules import RATE, SAVER
 
@@ -298,6 +298,12 @@ def test_too_many_nudges_warn_twice_then_tilt_and_kill_the_flippers(desk: Desk) 
     assert desk.game.warnings == 0
 
 
+def test_nudges_while_the_ball_waits_on_the_plunger_do_not_tilt(desk: Desk) -> None:
+    desk.press(*[Control.NUDGE_UP] * 12)
+    assert desk.kinds().count(EventKind.NUDGE) == 12
+    assert (desk.game.warnings, desk.game.tilted) == (0, False)
+
+
 def test_nudges_far_apart_are_free(desk: Desk) -> None:
     for _ in range(6):
         desk.press(Control.NUDGE_UP)
@@ -383,6 +389,12 @@ def lose_all(desk: Desk, score: int) -> None:
         desk.until(lambda: desk.game.phase is not Phase.BONUS, 50)
 
 
+def guarded(desk: Desk) -> None:
+    """Nothing; lets the time go by in which nothing is heeded."""
+    assert desk.game._wait >= -GUARD
+    desk.game._wait = 0
+
+
 def test_three_balls_then_initials_then_over_then_a_new_game() -> None:
     scores = HighScores([])
     desk = Desk(scores)
@@ -390,6 +402,9 @@ def test_three_balls_then_initials_then_over_then_a_new_game() -> None:
     assert desk.game.phase is Phase.ENTRY
     assert desk.kinds()[-2:] == [EventKind.GAME_OVER, EventKind.KNOCK]
     assert desk.game.message == "HIGH SCORE  ENTER INITIALS  AAA"
+    desk.press(Control.RIGHT, Control.START)
+    assert (desk.game.initials, desk.game.initial_place) == ("AAA", 0), "that was meant for the ball"
+    guarded(desk)
     desk.press(Control.RIGHT, Control.RIGHT, Control.LEFT, Control.START, Control.LEFT, Control.PLUNGER)
     assert (desk.game.initials, desk.game.initial_place) == ("B-A", 2)
     desk.press(Control.NUDGE_UP, Control.START)
@@ -398,6 +413,9 @@ def test_three_balls_then_initials_then_over_then_a_new_game() -> None:
     assert desk.game.phase is Phase.OVER
     assert desk.game.message == "GAME OVER"
     assert desk.game.ledger.created == desk.game.ledger.drained == BALLS
+    desk.press(Control.START)
+    assert desk.game.phase is Phase.OVER
+    guarded(desk)
     desk.press(Control.START)
     assert (desk.game.phase, desk.game.score, desk.game.ledger.created) == (Phase.PLAY, 0, 1)
 

@@ -308,8 +308,11 @@ def test_a_switch_goes_on_and_off(action: Action, mode: Mode) -> None:
     assert session.modes == set()
 
 
-def test_escape_ends_the_sitting() -> None:
+def test_escape_closes_the_help_then_ends_the_sitting() -> None:
     session = Session()
+    press(session, Action.HELP)
+    press(session, Action.QUIT)
+    assert (session.modes, session.running) == (set(), True)
     press(session, Action.QUIT)
     assert not session.running
 

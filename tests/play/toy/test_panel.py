@@ -39,6 +39,22 @@ def test_a_button_of_a_choice_sets_the_world(player: Player, name: str, value: s
     assert of_world(name, player.world) == player.desk.value(name) == value
 
 
+def test_a_chosen_option_looks_chosen_when_it_is_clicked_again(player: Player) -> None:
+    def looks() -> bytes:
+        player.mouse(pygame.MOUSEMOTION, (5, 5))
+        player.frames(2)
+        area = player.toy.panel.places[("broad_phase", "quadtree")]
+        return pygame.image.tobytes(player.window.surface.subsurface(area), "RGB")
+
+    player.frames(1)
+    before = looks()
+    player.click(("broad_phase", "quadtree"))
+    chosen = looks()
+    assert chosen != before
+    player.click(("broad_phase", "quadtree"))
+    assert looks() == chosen
+
+
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])
 def test_the_detection_is_that_of_the_button(player: Player, detection: str) -> None:
     player.click(("detection", detection))

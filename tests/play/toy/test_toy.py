@@ -9,6 +9,7 @@ import pytest
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
+from carom.world import compiled
 from tests.play.screens import check
 from tests.play.toy.playing import Player
 
@@ -177,8 +178,24 @@ def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pyte
 
 
 @pytest.mark.compiled
-def test_both_kinds_of_steps_are_compiled_before_the_table_is_shown() -> None:
+def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: set[str] = set()
+    load = compiled.load
+    monkeypatch.setattr(compiled, "load", lambda name: asked.add(name) or load(name))  # type: ignore[func-returns-value]
     app.warm_up()
+    before = set(asked)
+    assert len(before) >= 3
+    player = Player()
+    player.click("launch many")
+    player.mouse(pygame.MOUSEMOTION, (450, 350))
+    for name in (("broad_phase", "quadtree"), ("broad_phase", "brute"), ("detection", "both"), "rotating", "clear"):
+        player.click(name)
+        player.mouse(pygame.MOUSEMOTION, (450, 350))
+        player.frames(4)
+    for layer in SHOWN:
+        player.click(layer)
+    player.frames(4)
+    assert asked == before
 
 
 def keep(player: Player, name: str, renew: bool, folder: Path) -> None:

@@ -133,7 +133,16 @@ class PinballApp:
             self.speaker.muted = not self.speaker.muted
             self.speaker.stop()
         else:
+            self._leave()
+
+    def _leave(self) -> None:
+        """Nothing; closes the help, or pauses a game, or ends: nobody loses a game to one press."""
+        if self.helping:
+            self.helping = False
+        elif self.paused or self.game.phase in (Phase.ATTRACT, Phase.OVER):
             self.running = False
+        else:
+            self.paused = True
 
     # -- time --------------------------------------------------------------------------------------------------------
 
@@ -172,6 +181,7 @@ class PinballApp:
             draw_help(surface, self._letters)
         elif self.paused:
             self._plate(surface, "PAUSE", (art.SIZE[0] // 2, 392), 34)
+            self._plate(surface, "P goes on, Esc ends", (art.SIZE[0] // 2, 448), 15)
 
     def _draw_rate(self, surface: pygame.Surface) -> None:
         """Nothing; draws frames a second and the work of each."""

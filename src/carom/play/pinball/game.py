@@ -27,6 +27,8 @@ BALLS = 3
 #: Steps: until the plunger is drawn wholly, before a ball is launched by itself, between two steps of the bonus, and
 #: how long the game's end and the choice of initials last when nobody presses anything.
 PULL_TIME, AUTO_WAIT, BONUS_STEP, OVER_TIME, ENTRY_TIME = 720, 288, 24, 6 * RATE, 60 * RATE
+#: Steps for which the game's end and the choice of initials heed nothing: what is pressed then was meant for the ball.
+GUARD = RATE
 #: The speed that the plunger gives: drawn wholly, and by itself, with so much of chance added.
 PLUNGER_SPEED, AUTO_SPEED, AUTO_CHANCE = 66.0, 56.5, 6.5
 #: Bonus points paid in a step of counting.
@@ -246,7 +248,7 @@ class Pinball:
             self._heed_play(control, down)
         elif self._stage is Phase.ENTRY:
             self._heed_entry(control, down)
-        elif self._stage is Phase.OVER and control is Control.START and down:
+        elif self._stage is Phase.OVER and control is Control.START and down and self._wait >= 0:
             self._start_game()
         elif control in (Control.LEFT, Control.RIGHT) and not down:
             self._flipper(control).press(False)
@@ -297,7 +299,7 @@ class Pinball:
             vx, vy = state.ball.velocity
             state.ball.velocity = (vx + along, vy + up)
         self._tell(EventKind.NUDGE, control.value)
-        self._unrest += UNREST
+        self._unrest += UNREST if self._balls.in_play else 0.0
         if self._unrest <= MOST_UNREST:
             return
         if self.warnings < MOST_WARNINGS:
@@ -459,7 +461,7 @@ class Pinball:
     def _end_game(self) -> None:
         """Nothing; ends the game, with initials to choose where the score is high enough."""
         self._tell(EventKind.GAME_OVER)
-        self._wait = 0
+        self._wait = -GUARD
         self._stage = Phase.OVER
         if self._demo is None and self.high_scores.place(self.score) is not None:
             self._stage = Phase.ENTRY
@@ -468,7 +470,7 @@ class Pinball:
 
     def _heed_entry(self, control: Control, down: bool) -> None:
         """Nothing; changes a letter, or accepts it."""
-        if not down:
+        if not down or self._wait < 0:
             return
         self._wait = 0
         if control in (Control.LEFT, Control.RIGHT):
@@ -480,7 +482,7 @@ class Pinball:
         """Nothing; keeps the score under the initials."""
         self.high_scores.add(self._entry.initials, self.score)
         self._stage = Phase.OVER
-        self._wait = 0
+        self._wait = -GUARD
 
     def _tick_entry(self) -> None:
         """Nothing; a step of choosing initials, which are taken as they stand when nothing was pressed for long."""

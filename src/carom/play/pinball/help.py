@@ -19,7 +19,7 @@ KEYS = (
     ("F11", "full screen"),
     ("P", "pause"),
     ("M", "sound on and off"),
-    ("Esc", "ends"),
+    ("Esc", "pauses a game; once more ends it"),
     ("Controller", "shoulders: flippers, A: plunger, Start, cross: nudge"),
 )
 RULES = (

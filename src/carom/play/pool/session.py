@@ -204,8 +204,11 @@ class Session:
         self._aim_at_eight()
 
     def _quit(self) -> None:
-        """Nothing; ends the sitting."""
-        self.running = False
+        """Nothing; closes the help, or ends the sitting."""
+        if Mode.HELP in self.modes:
+            self.modes.discard(Mode.HELP)
+        else:
+            self.running = False
 
     # -- time --------------------------------------------------------------------------------------------------------
 

@@ -8,7 +8,6 @@ from functools import cached_property
 
 import pygame
 
-import carom
 from carom.play.controls import Controls
 from carom.play.meter import FrameMeter
 from carom.play.sound import Speaker
@@ -22,6 +21,7 @@ from carom.play.toy.readout import draw_reading
 from carom.play.toy.script import Script
 from carom.play.toy.settings import Settings
 from carom.play.toy.sounds import tick, ticks
+from carom.play.toy.table import Table
 from carom.play.toy.view import View
 from carom.play.toy.words import figure_texts, load_text
 from carom.play.window import RATE, Ticker, play
@@ -217,7 +217,7 @@ def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMe
 def warm_up() -> None:
     """Nothing; has both kinds of steps compiled: a table that is shown must not stand still for that."""
     for detection in ("discrete", "continuous"):
-        world = carom.World(detection=detection)
-        world.add(carom.Ball((0.0, 0.0), radius=1.0))
-        world.step(STEP)
-        world.overlapping(carom.Aabb(0.0, 0.0, 1.0, 1.0))
+        table = Table()
+        table.world.detection = detection
+        table.step(STEP)
+        shape_at(table.world, (0.0, 0.0), 1.0)

@@ -152,8 +152,10 @@ class Panel:
         """Nothing; shows the desk's settings, which keys may have changed."""
         for button, (name, value) in self._buttons.items():
             on = self._desk.value(name) == value if value is not None else self._desk.is_on(name)
-            if on != button.is_selected:
-                (button.select if on else button.unselect)()
+            if on:
+                button.select()  # anew where it was selected: a click has drawn it as if it were not
+            elif button.is_selected:
+                button.unselect()
         for slider, row in self._sliders.items():
             if not slider.sliding_button.held:
                 slider.set_current_value(round(POSITIONS * row.part(self._desk.value(row.name))))

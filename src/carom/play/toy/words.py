@@ -47,7 +47,7 @@ def tree_texts(tree: Tree) -> dict[str, str]:
     return {
         "nodes": str(tree.nodes or NONE),
         "leaves": str(tree.leaves or NONE),
-        "leaf size": f"{tree.width:.2g} by {tree.height:.2g}" if tree.leaves else NONE,
+        "leaf size": f"{tree.width:.1f} by {tree.height:.1f}" if tree.leaves else NONE,
         "most": str(tree.most or NONE),
     }
 
