@@ -1,12 +1,17 @@
-"""Games of pinball that play themselves, watched at every step."""
+"""Games of pinball that play themselves, watched at every step.
+
+`python -m tests.play.pinball.self_play 1000` says what became of so many, and of a tenth as many in which nobody flips.
+"""
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from math import hypot
+from statistics import mean, median
 from typing import NamedTuple
 
-from carom.play.pinball import Control, EventKind, Phase, Pinball, Player
+from carom.play.pinball import Control, EventKind, HighScores, Phase, Pinball, Player
 
 #: Steps: the most that a game may take, between two looks at whether balls move, and how long one may not.
 LONGEST, LOOK, REST = 480 * 3600, 60, 480 * 6
@@ -71,3 +76,26 @@ def play(game: Pinball, player: Player | None) -> Played:
     ledger = game.ledger
     assert ledger.in_play == ledger.held == 0
     return Played(game.score, steps, in_play, ledger.freed, ledger.stray, events)
+
+
+def main(count: int) -> None:
+    """Nothing; plays games and says what became of them."""
+    game = Pinball(HighScores([]), seed=5)
+    player = Player(game, seed=5)
+    told("played", [play(game, player) for _ in range(count)])
+    told("nobody flips", [play(game, None) for _ in range(max(1, count // 10))])
+
+
+def told(name: str, games: list[Played]) -> None:
+    """Nothing; says what became of some games."""
+    scores = [game.score for game in games]
+    seconds = sum(game.steps_in_play for game in games) / (3 * 480 * len(games))
+    sys.stdout.write(
+        f"{name}: {len(games)} games, score {mean(scores):,.0f} in the mean and {median(scores):,.0f} in the median, "
+        f"a ball lasts {seconds:.0f} s, {sum(game.freed for game in games)} balls freed, "
+        f"{sum(game.strays for game in games)} strays\n"
+    )
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
