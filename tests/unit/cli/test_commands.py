@@ -14,6 +14,7 @@ import pytest
 import carom
 from carom.cli import main
 from carom.cli.hits_file import COLUMNS
+from tests.unit.cli.saying import carom_says
 
 GOOD = """version = 1
 [world]
@@ -40,15 +41,6 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "bad.toml").write_text(BAD)
     (tmp_path / "broken.carom").write_text("no recording")
     return tmp_path
-
-
-def carom_says(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    """Exit status, stdout and stderr of a command, without what the first run on a machine says of compiling."""
-    with pytest.raises(SystemExit) as caught:
-        main(list(arguments))
-    printed = capsys.readouterr()
-    told = [line for line in printed.err.splitlines(keepends=True) if not line.startswith("carom: compil")]
-    return int(caught.value.code or 0), printed.out, "".join(told)
 
 
 @pytest.mark.usefixtures("here")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from carom.cli import main
+from tests.unit.cli.saying import carom_says
 
 pytest.importorskip("pygame", reason='no pygame: pip install "carom[play]"')
 
@@ -20,15 +20,6 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     return tmp_path
-
-
-def carom_says(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    """Exit status, stdout and stderr of a command, without what the first run on a machine says of compiling."""
-    with pytest.raises(SystemExit) as caught:
-        main(list(arguments))
-    printed = capsys.readouterr()
-    told = [line for line in printed.err.splitlines(keepends=True) if not line.startswith("carom: compil")]
-    return int(caught.value.code or 0), printed.out, "".join(told)
 
 
 @pytest.mark.compiled
