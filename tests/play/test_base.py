@@ -170,15 +170,15 @@ def test_steps_of_one_length_are_made_of_frames_of_any_length() -> None:
 
 def test_a_meter_tells_rate_and_work() -> None:
     meter = FrameMeter(50)
-    assert (meter.rate, meter.work, meter.share, meter.line()) == (0.0, 0.0, 0.0, "0 frames")
-    for _ in range(4):
+    assert (meter.rate, meter.work, meter.share, meter.line()) == (0.0, 0.0, 0.0, "no frames")
+    for count in (1, 2, 3, 4):
         meter.begin()
         meter.end()
+        assert meter.line().startswith(f"{count} frames: ")
     assert meter.frames == 4
     assert 0.0 <= meter.work < 0.01
     assert meter.share == pytest.approx(meter.work * 50)
     assert meter.rate > 0.0
-    assert meter.line().startswith("4 frames: ")
 
 
 KEYS = {pygame.K_LSHIFT: "left", pygame.K_z: "left", pygame.K_SPACE: "fire"}

@@ -57,9 +57,9 @@ class FrameMeter:
 
     def line(self) -> str:
         """All frames in a sentence."""
-        if len(self._work) < 2:
-            return f"{len(self._work)} frames"
-        slow = quantiles(self._work, n=100)[-1]
+        if not self._work:
+            return "no frames"
+        slow = quantiles(self._work, n=100)[-1] if len(self._work) > 1 else self._work[0]
         return (
             f"{len(self._work)} frames: {1e3 * median(self._work):.2f} ms of work each (median), "
             f"99 % within {1e3 * slow:.2f} ms, {self.rate:.0f} a second at the end"

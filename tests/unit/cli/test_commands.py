@@ -12,7 +12,6 @@ from xml.etree import ElementTree
 import pytest
 
 import carom
-from carom.cli import main
 from carom.cli.hits_file import COLUMNS
 from tests.unit.cli.saying import carom_says
 
