@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time as clock
 from math import atan2, cos, pi, sin
 from pathlib import Path
 
@@ -13,7 +12,6 @@ from carom.play.pool import run, setups, sounds
 from carom.play.pool.app import PoolApp
 from carom.play.pool.game import Impact, Phase, Setup
 from carom.play.pool.layout import SCALE
-from carom.play.pool.session import Mode
 from carom.play.pool.table_art import pockets
 from carom.play.window import Window
 from tests.play import screens
@@ -317,15 +315,3 @@ def test_sound_can_be_switched_off() -> None:
 def test_a_sitting_ends_after_its_seconds() -> None:
     meter = run(tell=lambda line: None, seconds=0.05)
     assert meter.frames >= 1
-
-
-@pytest.mark.compiled
-def test_a_frame_leaves_time_to_spare() -> None:
-    player = Player()
-    player.session.modes = {Mode.IMPACTS, Mode.RATE}
-    player.point((200.0, 30.0))
-    player.press(pygame.K_SPACE, frames=60)
-    # The processor's time, which other programs take none of.
-    begun = clock.process_time()
-    player.frames(120)
-    assert clock.process_time() - begun < 0.5 * 120 / 60
