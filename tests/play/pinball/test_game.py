@@ -1,67 +1,13 @@
 """The pinball game: games by scripted presses, drains, saves, tilts, multiball, initials, and the same bits twice."""
 
-from collections.abc import Callable
-
 import pytest
 
-import carom
-from carom.play.pinball import Control, Event, EventKind, HighScores, LampState, Phase, Pinball
+from carom.play.pinball import Control, EventKind, HighScores, LampState, Phase, Pinball
 from carom.play.pinball.balls import LOOK, PATIENCE
 from carom.play.pinball.game import AUTO_WAIT, BALLS, ENTRY_TIME, GUARD, OVER_TIME, PULL_TIME
 from carom.play.pinball.lamps import BANK, LANES
 from carom.play.pinball.rules import RATE, SAVER
-
-
-class Desk:
-    """A game whose steps are checked, with all its events."""
-
-    def __init__(self, scores: HighScores | None = None) -> None:
-        self.game = Pinball(HighScores([]) if scores is None else scores, seed=3)
-        self.game.press(Control.START, True)
-        self.events: list[Event] = self.game.take_events()
-
-    def tick(self, times: int = 1) -> None:
-        """Nothing; makes steps, after each of which the ledger must balance."""
-        for _ in range(times):
-            self.game.tick()
-            assert self.game.ledger.check(self.game.world)
-        self.events += self.game.take_events()
-
-    def until(self, done: Callable[[], object], most: int) -> None:
-        """Nothing; makes steps until something is so."""
-        for _ in range(most):
-            if done():
-                return
-            self.tick()
-        raise AssertionError(f"not so after {most} steps")
-
-    def press(self, *controls: Control) -> None:
-        """Nothing; presses and lets go."""
-        for control in controls:
-            self.game.press(control, True)
-            self.tick()
-            self.game.press(control, False)
-            self.tick()
-
-    def put(self, x: float, y: float, vx: float = 0.0, vy: float = 0.0) -> carom.Ball:
-        """The last ball, now somewhere on the field."""
-        ball = self.game.world.balls[len(self.game.world.balls) - 1]
-        ball.position, ball.velocity = (x, y), (vx, vy)
-        self.tick(4)
-        return ball
-
-    def drain(self) -> None:
-        """Nothing; lets the last ball drain."""
-        self.put(9.3, 6.5, 0.0, -30.0)
-        self.tick(4)
-
-    def unsave(self) -> None:
-        """Nothing; lets the ball save run out."""
-        self.game._rules.saver_left = 0
-
-    def kinds(self) -> list[EventKind]:
-        """The kinds of all events so far."""
-        return [event.kind for event in self.events]
+from tests.play.pinball.desk import Desk
 
 
 @pytest.fixture
