@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.checks import whole
+from carom.checks import refuse, whole
 from carom.draw.cells import partition_of
 from carom.draw.frame import LEAST_SIDE, MOST_SIDE, Frame
 from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
@@ -54,7 +54,7 @@ class Live:
 
     Raises:
         MissingExtra: pygame is not installed.
-        InvalidArgument: There is no such size or layer.
+        InvalidArgument: There is no such size or layer, or the box has no width or no height.
 
     >>> import carom, pygame
     >>> from carom import draw
@@ -78,6 +78,8 @@ class Live:
     ) -> None:
         for side in size:
             whole("size", side, LEAST_SIDE, MOST_SIDE)
+        if box.right <= box.left or box.top <= box.bottom:
+            raise refuse("box", "must have a width and a height", box)
         self.frame = frame_around(box, size)
         self._world = world
         self._wake = Wake(world, SPAN)

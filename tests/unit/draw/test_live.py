@@ -195,6 +195,12 @@ def test_a_size_is_in_whole_pixels() -> None:
         draw.Live(room(), BOX, (200, 10))
 
 
+@pytest.mark.parametrize("box", [carom.Aabb(1.0, 0.0, 1.0, 5.0), carom.Aabb(0.0, 2.0, 5.0, 2.0)])
+def test_a_box_without_extent_is_refused(box: carom.Aabb) -> None:
+    with pytest.raises(carom.InvalidArgument, match="box must have a width and a height"):
+        draw.Live(room(), box, SIZE)
+
+
 @pytest.mark.parametrize("broad_phase", ["grid", "quadtree", "brute"])
 def test_a_partition_is_that_of_the_world_as_it_is_set(broad_phase: str) -> None:
     world = room()
