@@ -131,6 +131,23 @@ def test_f11_fills_the_screen_and_leaves_it_again() -> None:
     assert window.surface.get_size() == (200, 120)
 
 
+def test_a_screen_that_cannot_be_filled_keeps_the_window(monkeypatch: pytest.MonkeyPatch) -> None:
+    game = Counting(frames=99)
+    window = Window(game)
+    set_mode = pygame.display.set_mode
+
+    def refuse(size: tuple[int, int], flags: int) -> pygame.Surface:
+        if flags & pygame.FULLSCREEN:
+            raise pygame.error("no such mode")
+        return set_mode(size, flags)
+
+    monkeypatch.setattr(pygame.display, "set_mode", refuse)
+    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_F11))
+    window.frame(0.01)
+    assert game.running
+    assert window.surface.get_size() == game.size
+
+
 def test_a_game_is_played_until_it_ends_or_its_time_is_over() -> None:
     games: list[Counting] = []
     for frames, seconds in ((3, None), (10_000, 0.05)):

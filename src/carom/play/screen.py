@@ -61,9 +61,13 @@ class Screen:
         window.fill(AROUND)
 
     def toggle_full(self) -> None:
-        """Nothing; goes from a window to the full screen, or back."""
+        """Nothing; goes from a window to the full screen, or back; stays a window where no full screen can be had."""
         self._full = not self._full
-        self._open()
+        try:
+            self._open()
+        except NoDisplay:
+            self._full = False
+            self._open()
         self.fit()
 
     def seen(self, event: pygame.event.Event) -> pygame.event.Event:
