@@ -9,6 +9,7 @@ they give.
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import pi
 from random import Random
 
 from carom.play.pinball.events import Event, EventKind
@@ -140,8 +141,8 @@ class Rules:
     def spin(self, angle: float) -> None:
         """Nothing; counts what the spinner has turned faster than by itself, and gives points by the half turn."""
         self._spun += angle
-        if self._spun >= 3.141592653589793:
-            self._spun -= 3.141592653589793
+        if self._spun >= pi:
+            self._spun -= pi
             self._give(EventKind.SPINNER, "spinner", self.table.spinner.pivot, 0.0, SPINNER, SPINNER // 10)
 
     # -- what balls meet ---------------------------------------------------------------------------------------------
