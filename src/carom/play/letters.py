@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Literal, TypeAlias
 
@@ -11,12 +12,21 @@ Colour: TypeAlias = tuple[int, int, int]
 Anchor: TypeAlias = Literal["start", "middle", "end"]
 
 
-class Letters:
-    """Writes words; what was written before is not rendered again."""
+def load(size: int) -> pygame.font.Font:
+    """The font, its letters `size` pixels high."""
+    return pygame.font.Font(pygame.font.get_default_font(), size)
 
-    def __init__(self) -> None:
+
+class Letters:
+    """Writes words; what was written before is not rendered again.
+
+    Args:
+        font: The font at a size in pixels.
+    """
+
+    def __init__(self, font: Callable[[int], pygame.font.Font] = load) -> None:
         pygame.font.init()
-        self._font = lru_cache(maxsize=64)(load)
+        self._font = lru_cache(maxsize=64)(font)
         self._rendered = lru_cache(maxsize=1024)(self._render)
 
     def draw(
@@ -42,8 +52,3 @@ class Letters:
     def _render(self, words: str, size: int, colour: Colour) -> pygame.Surface:
         """Words as a surface."""
         return self._font(size).render(words, True, colour)
-
-
-def load(size: int) -> pygame.font.Font:
-    """The font, its letters `size` pixels high."""
-    return pygame.font.Font(pygame.font.get_default_font(), size)

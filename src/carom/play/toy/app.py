@@ -9,6 +9,7 @@ from functools import cached_property
 import pygame
 
 from carom.play.controls import Controls
+from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
 from carom.play.sound import Speaker
 from carom.play.toy import beside, colours
@@ -18,7 +19,7 @@ from carom.play.toy.keys import BUTTONS, KEYS
 from carom.play.toy.panel import Panel
 from carom.play.toy.probe import Reading, ball_at, read, shape_at
 from carom.play.toy.readout import draw_reading
-from carom.play.toy.script import Script
+from carom.play.toy.script import load_script
 from carom.play.toy.settings import Settings
 from carom.play.toy.sounds import tick, ticks
 from carom.play.toy.table import Table
@@ -44,7 +45,7 @@ class Toy:
 
     def __init__(self, tell: Callable[[str], None]) -> None:
         self.desk = Desk()
-        self._letters = Script()
+        self._letters = Letters(load_script)
         self._stage = pygame.Rect(0, 0, SIZE[0] - PANEL, SIZE[1] - STRIP)
         self._strip = pygame.Rect(0, SIZE[1] - STRIP, SIZE[0] - PANEL, STRIP)
         self._controls: Controls[str] = Controls(KEYS, BUTTONS, tell)
