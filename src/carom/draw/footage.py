@@ -11,7 +11,7 @@ import numpy as np
 from carom.draw.cells import cells_of
 from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.legend import remarks, seconds
-from carom.draw.looks import LOOKS, OFF, SENSOR, ends_of, material_of
+from carom.draw.looks import LOOKS, ends_of, look_now, material_of
 from carom.draw.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of
 from carom.draw.panel import Panel
 from carom.draw.picture import MOST_SHARES, TRACK_TOLERANCE, box_around, composed
@@ -24,12 +24,10 @@ if TYPE_CHECKING:
 
     from carom.draw.cells import Cell
     from carom.draw.frame import Size
-    from carom.draw.looks import Look
     from carom.draw.picture import Picture
     from carom.draw.tracks import Track
     from carom.record import Recording
     from carom.rows import Rows
-    from carom.shapes.shape import Shape
 
 #: Seconds of tracks and of hits in the picture of a frame that stands alone.
 LONG = 20.0
@@ -70,12 +68,7 @@ class Footage:
     def _drawn(self, place: int) -> Drawn:
         """A shape as it stands now."""
         shape = self._shapes[place]
-        return Drawn(shape, self._look(shape, place), int(self.recording.shape_ids[place]))
-
-    def _look(self, shape: Shape, place: int) -> Look:
-        """The look of a shape as it is now."""
-        material = self._materials[place]
-        return material if shape.can_collide or material is SENSOR else OFF
+        return Drawn(shape, look_now(shape, self._materials[place]), int(self.recording.shape_ids[place]))
 
     def _track(self, ball: int) -> Track:
         """The way of a ball through the whole run."""

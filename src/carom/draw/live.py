@@ -11,7 +11,7 @@ from carom.checks import refuse, whole
 from carom.draw.cells import partition_of
 from carom.draw.frame import LEAST_SIDE, MOST_SIDE, Frame
 from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
-from carom.draw.looks import LOOKS, OFF, ends_of, material_of
+from carom.draw.looks import LOOKS, ends_of, look_now, material_of
 from carom.draw.moment import Balls, Drawn, Measures, Moment
 from carom.draw.panel import Panel
 from carom.draw.picture import Picture, weight_for
@@ -24,6 +24,7 @@ from carom.rows import Motion
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from carom.draw.looks import Look
     from carom.rows import Rows
     from carom.shapes.aabb import Aabb
     from carom.shapes.shape import Shape
@@ -206,9 +207,9 @@ def frame_around(box: Aabb, size: tuple[int, int]) -> Frame:
     return Frame(float(width), float(height), box, scale, left, top, panel=False)
 
 
-def drawn(shape: Shape, material: Any) -> Drawn:
+def drawn(shape: Shape, material: Look) -> Drawn:
     """A shape as it is to be drawn now."""
-    return Drawn(shape, material if shape.can_collide or shape.sensor else OFF, shape.id or 0)
+    return Drawn(shape, look_now(shape, material), shape.id or 0)
 
 
 def slowly(before: Measures, now: Measures) -> Measures:

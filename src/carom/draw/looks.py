@@ -56,7 +56,12 @@ LOOKS = (OFF, SENSOR, WALL, GUARD, POST, GATE, MOVING, BUMPER)
 
 def look_of(shape: Shape, ends: frozenset[Vector]) -> Look:
     """The look of `shape`; a point at one of `ends`, the rounded ends of lines, is a guard point."""
-    return material_of(shape, ends) if shape.sensor or shape.can_collide else OFF
+    return look_now(shape, material_of(shape, ends))
+
+
+def look_now(shape: Shape, material: Look) -> Look:
+    """The look of `shape` as it is switched now, when `material` is the one it has while it is switched on."""
+    return material if shape.sensor or shape.can_collide else OFF
 
 
 def material_of(shape: Shape, ends: frozenset[Vector]) -> Look:
