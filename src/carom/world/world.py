@@ -4,38 +4,28 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from contextlib import suppress
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.checks import Vector
 from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
-from carom.rows import BALL, NO_RELATION, Motion, Rows
+from carom.rows import NO_RELATION, Rows
 from carom.shapes.aabb import Aabb
-from carom.shapes.ball import Ball
-from carom.shapes.compound import Compound
-from carom.shapes.shape import Shape
 from carom.world import compiled
-from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
-from carom.world.removal import remove_rows
-from carom.world.safety import roll_back, was_changed
+from carom.world.safety import roll_back
 from carom.world.settings import SETTINGS, Settings
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
-from carom.world.tables import Room, clear_kernel_place, new_balls
-from carom.world.views import Balls, Shapes, see_lent
-
-T = TypeVar("T", bound=Shape | Ball | Compound)
-
-NO_BALLS: Rows = np.zeros(0, BALL)
+from carom.world.tables import Room, clear_kernel_place
+from carom.world.views import see_lent
 
 #: The kernel of each detection's step.
 STEP_KERNELS = ("discrete.step_discrete", "continuous.step_continuous")
@@ -47,7 +37,7 @@ SLICE_SECONDS = 0.1
 MOST_STEPS = 2**62
 
 
-class World(Settings, Queries, Pictured):
+class World(Settings, Members, Queries, Pictured):
     """Shapes and balls that collide.
 
     Every setting is a keyword argument and an attribute that can be changed while the world runs; `Settings` lists them
@@ -89,212 +79,6 @@ class World(Settings, Queries, Pictured):
         self._forget_objects()
         for name in SETTINGS:
             setattr(self, name, given[name])
-
-    def _forget_objects(self) -> None:
-        """Nothing; begins with no objects at all."""
-        self._objects: dict[int, Shape | Ball] = {}
-        self._added: dict[int, Shape | Compound] = {}
-        self._departed = Departed()
-        self._removed: list[Rows] = []
-        self._left: Rows = NO_BALLS
-        self._arguments: tuple[Rows, ...] | None = None
-        self._dt = -1.0
-        self._lent: Rows | None = None
-        self._no_hits = Hits.of(self, NO_ROWS)
-
-    # -- what is in it -----------------------------------------------------------------------------------------------
-
-    @property
-    def shapes(self) -> Shapes:
-        """The shapes in the order in which they were added."""
-        return Shapes(self)
-
-    @property
-    def balls(self) -> Balls:
-        """The balls in the order in which they were added, and their columns as NumPy views."""
-        return Balls(self)
-
-    @property
-    def strays(self) -> list[Ball]:
-        """The balls that lie wholly outside `bounds`; with `remove_strays`, those that the last step or run removed."""
-        if self.remove_strays:
-            found = [self._object_of_hit(int(ball), self._left) for ball in self._left["id"]]
-            return [ball for ball in found if isinstance(ball, Ball)]
-        rows = self._room.balls.used
-        return [self._ball_of(int(ball)) for ball in rows["id"][rows["stray"] != 0]] if self.bounds is not None else []
-
-    def add(self, shape: T) -> T:
-        """`shape`, which is now in the world: a shape, a compound or a ball, live views of their rows here.
-
-        Raises:
-            InvalidArgument: It is no shape or ball, or is in a world already, or is part of a compound that is not.
-        """
-        if isinstance(shape, Ball):
-            members: list[Shape | Ball] = [shape]
-        elif isinstance(shape, Compound):
-            members = [shape.center_point, *shape.shapes]
-        elif isinstance(shape, Shape):
-            members = [shape]
-        else:
-            raise checks.refuse("shape", "must be a shape, a compound or a ball", shape)
-        for member in members:
-            if member.world is not None:
-                raise checks.refuse("shape", "must not be in a world already", shape)
-        compound = shape.compound if isinstance(shape, Shape) else None
-        if compound is not None and compound.world is not self:
-            raise checks.refuse("shape", "must not be part of a compound that is not in the world", shape)
-        for member in members:
-            self._enter(member)
-        if not isinstance(shape, Ball) and compound is None:
-            self._added[members[0].id or 0] = shape
-        self._rearrange()
-        return shape
-
-    def _enter(self, member: Shape | Ball) -> None:
-        """Nothing; gives a member a row at the end of its table."""
-        table = self._room.balls if isinstance(member, Ball) else self._room.shapes
-        table.reserve(table.count + 1)
-        place = table.count
-        table.rows[place]["id"] = self._next_ids(1)[0]
-        table.count += 1
-        member._enter(self, table, place)
-        self._objects[int(table.rows[place]["id"])] = member
-
-    def _next_ids(self, count: int) -> NDArray[np.int64]:
-        """Ids that were never used."""
-        first = int(self._states[0]["next_id"])
-        self._states[0]["next_id"] = first + count
-        return np.arange(first, first + count, dtype=np.int64)
-
-    def add_balls(
-        self,
-        position: ArrayLike,
-        velocity: ArrayLike = (0.0, 0.0),
-        radius: ArrayLike | None = None,
-        mass: ArrayLike = 1.0,
-        elasticity: ArrayLike = 1.0,
-    ) -> NDArray[np.int64]:
-        """The ids of balls added all at once.
-
-        Args:
-            position: Centres, of shape (n, 2).
-            velocity: Of shape (n, 2), or one pair for all.
-            radius: Of shape (n,), or one number for all; positive. Must be given.
-            mass: Likewise.
-            elasticity: Likewise, 0 or more.
-
-        Raises:
-            InvalidArgument: Something has another shape, is not finite, or not positive where it must be; or a ball's
-                box is not finite.
-        """
-        rows = new_balls(position, velocity, radius, mass, elasticity)
-        count = len(rows)
-        table = self._room.balls
-        table.reserve(table.count + count, doubling=False)
-        rows["id"] = self._next_ids(count)
-        table.rows[table.count : table.count + count] = rows
-        table.count += count
-        self._rearrange()
-        return rows["id"].copy()
-
-    def remove(self, shape: Shape | Compound | Ball) -> None:
-        """Nothing; takes a shape, compound or ball out of the world. The object keeps its last values.
-
-        A sensor that it was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next step.
-
-        Raises:
-            InvalidArgument: It is not in this world, or is part of a compound.
-        """
-        if getattr(shape, "world", None) is not self:
-            raise checks.refuse("shape", "must be in this world", shape)
-        if isinstance(shape, Shape) and shape.compound is not None:
-            raise checks.refuse("shape", "must not be part of a compound: remove the compound", shape)
-        members = [shape.center_point, *shape.shapes] if isinstance(shape, Compound) else [shape]
-        self._added.pop(members[0].id or 0, None)
-        ids = [member.id or 0 for member in members]
-        if isinstance(shape, Ball):
-            self._remove(np.isin(self._room.balls.used["id"], ids), self._none_of(self._room.shapes.count))
-        else:
-            self._remove(self._none_of(self._room.balls.count), np.isin(self._room.shapes.used["id"], ids))
-
-    @staticmethod
-    def _none_of(count: int) -> NDArray[np.bool_]:
-        """A mask that takes nothing."""
-        return np.zeros(count, np.bool_)
-
-    def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
-        """Nothing; detaches the objects of rows and takes the rows out."""
-        for table, gone in ((self._room.balls, balls), (self._room.shapes, shapes)):
-            for member_id in table.used["id"][gone]:
-                member = self._objects.pop(int(member_id), None)
-                if member is not None:
-                    member._leave()
-                    self._departed.add(int(member_id), member)
-        remove_rows(self._room, balls, shapes)
-        self._rearrange()
-
-    def object(self, member_id: int) -> Shape | Ball:
-        """The shape or ball with an id: the object that was added, or always the same one for a row of `add_balls`.
-
-        Raises:
-            InvalidArgument: There is none in the world.
-        """
-        checks.whole("member_id", member_id, 0, 2**63 - 1)
-        found = self._objects.get(member_id)
-        return found if found is not None else self._ball_of(member_id)
-
-    def _ball_of(self, ball_id: int) -> Ball:
-        """The object of a ball's row, made now if it was not asked for before."""
-        ball = self._objects.get(ball_id)
-        if ball is None:
-            place = self._room.balls.find(ball_id)
-            ball = Ball._of_row(self, self._room.balls, ball_id, place)
-            self._objects[ball_id] = ball
-        assert isinstance(ball, Ball)
-        return ball
-
-    def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball | None:
-        """The object that a hit names, or None if it left and nobody kept it; `gone` are rows that left in that run."""
-        found = self._objects.get(member_id) or self._departed.find(member_id, gone)
-        if found is None:
-            with suppress(InvalidArgument):
-                found = self._ball_of(member_id)
-        return found
-
-    # -- changes -----------------------------------------------------------------------------------------------------
-
-    def _changed(self, member: Any) -> None:
-        """Nothing; takes note that a member was changed from outside."""
-        state = self._states[0]
-        state["wake"] = 1
-        if isinstance(member, Ball):
-            return
-        moving = self._room.order[int(state["fixed"]) :]
-        if self._arguments is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
-            state["moving_stale"] = 1
-        else:
-            self._rearrange()
-
-    def _changed_all(self) -> None:
-        """Nothing; takes note that a setting was changed, or that balls may have been."""
-        self._states[0]["wake"] = 1
-        self._rearrange()
-
-    def _rearrange(self) -> None:
-        """Nothing; has the next step look at its tables anew."""
-        self._states[0]["wake"] = 1
-        self._arguments = None
-        self._search = None
-        self._dt = -1.0
-
-    def _will_wake(self) -> bool:
-        """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
-        state = self._states[0]
-        see_lent(self)
-        if state["wake"] or not state["sleeping"]:
-            return bool(state["wake"])
-        state["balls"] = self._room.balls.count
-        return was_changed(state, self._room.balls.rows, self._room.saved)
 
     # -- time --------------------------------------------------------------------------------------------------------
 
