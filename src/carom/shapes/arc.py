@@ -18,7 +18,7 @@ class Arc(RoundShape):
 
     Angles are in radians and kept in [0, 2π). Balls meet it from either side; its ends are bare, like a segment's.
     Raises `InvalidArgument` for a radius that is not positive, and for equal angles or angles so near each other that
-    rounding makes both ends one point (use a `Circle`).
+    rounding makes both ends one point (a whole circle is a `Circle`).
 
     >>> bend = Arc((0, 0), 2, start_angle=0, end_angle=-1.5)
     >>> bend.acute, bend.in_sector((0, 5)), bend.in_sector((1, -1))
@@ -39,7 +39,7 @@ class Arc(RoundShape):
     ) -> None:
         x, y = pair("center", center)
         size = positive("radius", radius)
-        start, end = _two_angles(start_angle, end_angle)
+        start, end = _two_angles(("start_angle", start_angle), ("end_angle", end_angle))
         self._create("end_angle", end_angle, options, cx=x, cy=y, radius=size, start_angle=start, end_angle=end)
 
     def __repr__(self) -> str:
@@ -59,7 +59,7 @@ class Arc(RoundShape):
 
     @start_angle.setter
     def start_angle(self, value: float) -> None:
-        self._set_geometry("start_angle", value, start_angle=normalize_angle(number("start_angle", value)))
+        self._set_angle("start_angle", value, "end_angle")
 
     @property
     def end_angle(self) -> float:
@@ -68,12 +68,36 @@ class Arc(RoundShape):
 
     @end_angle.setter
     def end_angle(self, value: float) -> None:
-        self._set_geometry("end_angle", value, end_angle=normalize_angle(number("end_angle", value)))
+        self._set_angle("end_angle", value, "start_angle")
+
+    def _set_angle(self, name: str, value: float, other: str) -> None:
+        """Set the angle `name`, which must not become the `other` one."""
+        angle, across = normalize_angle(number(name, value)), float(self._row[other])
+        if angle == across:
+            raise refuse(name, f"must point another way than {other}={across!r} (`angles` sets both at once)", value)
+        self._set_geometry(name, value, **{name: angle})
+
+    @property
+    def angles(self) -> tuple[float, float]:
+        """Both angles, `(start_angle, end_angle)`. Set together they need only differ from each other."""
+        return self.start_angle, self.end_angle
+
+    @angles.setter
+    def angles(self, value: Vector) -> None:
+        start, end = pair("angles", value)
+        self._set_angles(("angles[0]", start), ("angles[1]", end))
 
     def set_angles(self, start_angle: float, end_angle: float) -> None:
-        """Nothing; sets both angles at once. Raises `InvalidArgument` where they are equal."""
-        start, end = _two_angles(start_angle, end_angle)
-        self._set_geometry("end_angle", end_angle, start_angle=start, end_angle=end)
+        """Set both angles at once, as `arc.angles = (start_angle, end_angle)` does.
+
+        Raises `InvalidArgument` where they are equal.
+        """
+        self._set_angles(("start_angle", start_angle), ("end_angle", end_angle))
+
+    def _set_angles(self, first: tuple[str, float], second: tuple[str, float]) -> None:
+        """Set both angles, each given with the name of the argument that it is."""
+        start, end = _two_angles(first, second)
+        self._set_geometry(*second, start_angle=start, end_angle=end)
 
     @property
     def acute(self) -> bool:
@@ -133,10 +157,10 @@ class Arc(RoundShape):
         return rest
 
 
-def _two_angles(start_angle: float, end_angle: float) -> tuple[float, float]:
-    """The two angles that a user gave, normalized; raises for equal ones."""
-    start = normalize_angle(number("start_angle", start_angle))
-    end = normalize_angle(number("end_angle", end_angle))
+def _two_angles(first: tuple[str, float], second: tuple[str, float]) -> tuple[float, float]:
+    """The two angles that a user gave under their names, normalized; raises for equal ones."""
+    start, end = normalize_angle(number(*first)), normalize_angle(number(*second))
     if start == end:
-        raise refuse("end_angle", f"must differ from start_angle={start_angle!r} by more than full turns", end_angle)
+        name, angle = first
+        raise refuse(second[0], f"must point another way than {name}={angle!r} (a whole circle is a Circle)", second[1])
     return start, end

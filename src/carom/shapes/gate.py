@@ -16,8 +16,9 @@ from carom.shapes.shape import ShapeOptions
 class Gate(Segment):
     """A segment that lets balls pass along `direction` and stops those that come against it; takes all options too.
 
-    The direction is kept as a unit vector; by default it is the normal of the ends as they were first ordered. It
-    turns with the gate and never flips. Raises `InvalidArgument` where it is zero or parallel to the gate.
+    Its ends are sorted as a segment's are. The direction is kept as a unit vector; by default it is the normal of the
+    ends as they were first sorted. It turns with the gate and never flips. Raises `InvalidArgument` where it is zero or
+    parallel to the gate.
 
     >>> trap = Gate((0, 0), (4, 0), direction=(0, -2))
     >>> trap.direction, trap.normal

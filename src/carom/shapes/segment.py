@@ -12,14 +12,14 @@ from carom.shapes.shape import Shape, ShapeOptions
 
 
 class Segment(Shape):
-    """A straight wall; takes the options of every `Shape` too.
+    """A straight wall, whose ends are sorted: `start` (or `p0`) is the one with the smaller x, whichever came first.
 
-    `p0` is the end with the smaller x (of equal ones, with the smaller y), whatever order was given, and stays so when
-    the segment turns. The ends are bare: a ball whose centre lies past an end misses it, so corners need points (see
-    `guard_points`). Raises `InvalidArgument` where the ends are equal.
+    Of equal x, it is the one with the smaller y; `end` (or `p1`) is the other. They stay sorted when the segment turns.
+    The ends are bare: a ball whose centre lies past an end misses it, so corners need points (see `guard_points`).
+    Takes the options of every `Shape` too. Raises `InvalidArgument` where the ends are equal.
 
     >>> wall = Segment((4, 0), (0, 0))
-    >>> wall.p0, wall.t0, wall.normal
+    >>> wall.start, wall.t0, wall.normal
     ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
     """
 
@@ -73,7 +73,7 @@ class Segment(Shape):
 
     @property
     def start(self) -> Vector:
-        """The same as `p0`, under the constructor's name; the order that was given is not kept."""
+        """The end with the smaller x; the same as `p0`. The order that was given is not kept."""
         return self.p0
 
     @start.setter
@@ -82,7 +82,7 @@ class Segment(Shape):
 
     @property
     def end(self) -> Vector:
-        """The same as `p1`, under the constructor's name."""
+        """The end with the greater x; the same as `p1`."""
         return self.p1
 
     @end.setter

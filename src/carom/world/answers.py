@@ -6,16 +6,15 @@ balls. `answers[i]` and iteration give the objects, None where query `i` found n
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.checks import Vector
-from carom.rows import Rows
 from carom.shapes.detection import Contact
+from carom.world.plural import Plural
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -134,35 +133,12 @@ class Aim:
     other_speed: float
 
 
-class Answers(np.ndarray[Any, np.dtype[Any]], Generic[T]):
+class Answers(Plural[T]):
     """The answers to many queries, in their order: a structured array whose items are objects, or None.
 
-    Objects are looked up when an item is asked for; it is a `LookupError` where one has left the world for good.
+    It is false where there are no rows; `found` says which queries found something. Objects are looked up when an item
+    is asked for; it is a `LookupError` where one has left the world for good.
     """
-
-    DTYPE: ClassVar[np.dtype[Any]]
-
-    _world: World | None
-
-    @classmethod
-    def of(cls, world: World, rows: Rows) -> Self:
-        """Answers of a world from rows of dtype `DTYPE`."""
-        answers = rows.view(cls)
-        answers._world = world
-        return answers
-
-    def __array_finalize__(self, source: Any) -> None:
-        self._world = getattr(source, "_world", None)
-
-    def __iter__(self) -> Iterator[T | None]:  # type: ignore[override]
-        for row in self.view(np.ndarray):
-            yield self._answer(row)
-
-    def __getitem__(self, key: Any) -> Any:
-        item = super().__getitem__(key)
-        if isinstance(item, np.void):
-            return self._answer(item)
-        return item if getattr(item, "dtype", None) == self.DTYPE else np.asarray(item)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {np.count_nonzero(self.found)} of {len(self)} found something>"
@@ -174,18 +150,17 @@ class Answers(np.ndarray[Any, np.dtype[Any]], Generic[T]):
         """Which queries found something."""
         return np.asarray(self.view(np.ndarray)["shape"] != 0)
 
-    def _answer(self, row: Any) -> T | None:
-        """The object for a row, or None for one that says that nothing was found."""
+    def _item(self, row: Any) -> T:
         if self._world is None:
             raise LookupError("these answers have lost their world (they were pickled or copied); read them as arrays")
-        return None if row["shape"] == 0 else self._object(self._world, row)
+        return self._object(self._world, row)
 
     def _object(self, world: World, row: Any) -> T:
-        """The object for a row that says that something was found."""
+        """The object for a row, or None for one that says that nothing was found."""
         raise NotImplementedError
 
 
-class CastHits(Answers[CastHit]):
+class CastHits(Answers[CastHit | None]):
     """What many rays or circles touch first.
 
     Where one touches nothing, `shape` is 0, `fraction` 1, `point` the target and `normal` 0.
@@ -193,17 +168,21 @@ class CastHits(Answers[CastHit]):
 
     DTYPE = CAST_HIT
 
-    def _object(self, world: World, row: Any) -> CastHit:
+    def _object(self, world: World, row: Any) -> CastHit | None:
+        if row["shape"] == 0:
+            return None
         shape, fraction, point, normal = row.item()
         return CastHit(_member(world, shape), fraction, _vector(point), _vector(normal))
 
 
-class Neighbors(Answers[Neighbor]):
+class Neighbors(Answers[Neighbor | None]):
     """What is nearest to many places; `shape` 0 and `distance` infinite in a world where nothing can be seen."""
 
     DTYPE = NEIGHBOR
 
-    def _object(self, world: World, row: Any) -> Neighbor:
+    def _object(self, world: World, row: Any) -> Neighbor | None:
+        if row["shape"] == 0:
+            return None
         shape, distance, point = row.item()
         return Neighbor(_member(world, shape), distance, _vector(point))
 
@@ -218,7 +197,16 @@ class Contacts(Answers[Contact]):
         return Contact(_member(world, shape), _member(world, ball), _vector(point), _vector(normal), setback, speed)
 
 
-class Aims(Answers[Aim]):
+class InBoxes(Plural[Any]):
+    """Which shapes and balls are in which boxes: a row for every box and shape that meet, as it stands in the array."""
+
+    DTYPE = IN_BOX
+
+    def _item(self, row: Any) -> Any:
+        return row
+
+
+class Aims(Answers[Aim | None]):
     """The paths of many balls, or of one in many directions.
 
     Where one meets nothing, `shape` is 0, and so is all else but `ball` and `start`. A direction that is None in `Aim`
@@ -227,7 +215,9 @@ class Aims(Answers[Aim]):
 
     DTYPE = AIM
 
-    def _object(self, world: World, row: Any) -> Aim:
+    def _object(self, world: World, row: Any) -> Aim | None:
+        if row["shape"] == 0:
+            return None
         ball, shape, start, ghost, distance, point, normal, direction, speed, other_direction, other_speed = row.item()
         return Aim(
             _member(world, ball),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from carom.checks import Vector
 from carom.extras import needed
 from carom.rows import Rows
 from carom.world.layout import BOUNCE, ENTER, EXIT, HIT
+from carom.world.plural import Plural
 
 if TYPE_CHECKING:
     import pyarrow
@@ -59,14 +59,15 @@ class Hit:
     impulse: float
 
 
-class Hits(np.ndarray[Any, np.dtype[Any]]):
+class Hits(Plural[Hit]):
     """Every hit of a step or a run, in order of time: a structured array whose items are `Hit` objects.
 
     `hits["speed"]`, masks and slices work as with any structured array (the fields are those of `Hit`, with ids for
-    `ball` and `shape`); iterating and single indices give `Hit` objects.
+    `ball` and `shape`); iterating and single indices give `Hit` objects. It is false where there was no hit.
     """
 
-    _world: World | None
+    DTYPE = HIT
+
     _gone: Rows | None
 
     @classmethod
@@ -78,28 +79,15 @@ class Hits(np.ndarray[Any, np.dtype[Any]]):
         return hits
 
     def __array_finalize__(self, source: Any) -> None:
-        self._world = getattr(source, "_world", None)
+        super().__array_finalize__(source)
         self._gone = getattr(source, "_gone", None)
-
-    def __iter__(self) -> Iterator[Hit]:  # type: ignore[override]
-        for row in self.view(np.ndarray):
-            yield self._hit(row)
-
-    def __getitem__(self, key: Any) -> Any:
-        item = super().__getitem__(key)
-        if isinstance(item, np.void):
-            return self._hit(item)
-        return item if getattr(item, "dtype", None) == HIT else np.asarray(item)
-
-    def __bool__(self) -> bool:
-        return len(self) > 0
 
     def __repr__(self) -> str:
         return f"<{len(self)} hits>"
 
     __str__ = __repr__
 
-    def _hit(self, row: Any) -> Hit:
+    def _item(self, row: Any) -> Hit:
         """The object for a row."""
         if self._world is None:
             raise LookupError("these hits have lost their world (they were pickled or copied); read them as arrays")

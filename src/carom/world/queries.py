@@ -32,6 +32,7 @@ from carom.world.answers import (
     CastHit,
     CastHits,
     Contacts,
+    InBoxes,
     Neighbor,
     Neighbors,
 )
@@ -179,7 +180,7 @@ class Queries:
         queries, single = _queries(masks, from_, to, radius)
         rows, _ = self._casts(queries)
         hits = CastHits.of(self._world, rows)
-        return hits._answer(rows[0]) if single else hits
+        return hits._item(rows[0]) if single else hits
 
     def _casts(self, queries: Rows) -> tuple[Rows, Rows]:
         """The rows of what casts hit, and which items those are."""
@@ -224,7 +225,7 @@ class Queries:
         rows = np.zeros(len(queries), NEIGHBOR)
         self._ask("nearest.nearest_many", len(queries), queries, rows)
         neighbors = Neighbors.of(self._world, rows)
-        return neighbors._answer(rows[0]) if single else neighbors
+        return neighbors._item(rows[0]) if single else neighbors
 
     @overload
     def overlapping(
@@ -233,7 +234,7 @@ class Queries:
     @overload
     def overlapping(
         self, aabb: NDArray[Any] | Sequence[Aabb], *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
-    ) -> NDArray[Any]: ...
+    ) -> InBoxes: ...
     def overlapping(
         self,
         aabb: Aabb | NDArray[Any] | Sequence[Aabb],
@@ -241,7 +242,7 @@ class Queries:
         layer: int = ALL_LAYERS,
         collides_with: int = ALL_LAYERS,
         sensors: bool = False,
-    ) -> list[Shape | Ball] | NDArray[Any]:
+    ) -> list[Shape | Ball] | InBoxes:
         """The shapes and balls that have a point in common with a box, in the order of their ids; touching counts.
 
         The shapes themselves count, not their boxes: a circle around the box does not, unless it is solid. For an array
@@ -256,7 +257,9 @@ class Queries:
         rows = np.zeros(len(boxes) + 16, IN_BOX)
         rows = self._ask_for_all("overlapping.overlapping_many", len(queries), queries, rows)
         rows = rows[np.lexsort((rows["shape"], rows["box"]))]
-        return [self._world.object(int(member)) for member in rows["shape"]] if single else rows
+        return (
+            [self._world.object(int(member)) for member in rows["shape"]] if single else InBoxes.of(self._world, rows)
+        )
 
     def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
         """Every overlap there is now of a ball with a shape or another ball, as a `Contacts` of `Contact` objects.
@@ -326,7 +329,7 @@ class Queries:
         compiled.load("aiming.aim_many")(
             queries, casts, found, places, ways, room.shapes.used, room.balls.used, total, aims.view(np.ndarray)
         )
-        return aims._answer(aims.view(np.ndarray)[0]) if single else aims
+        return aims._item(aims.view(np.ndarray)[0]) if single else aims
 
     def _places(self, ball: Any) -> int | NDArray[np.int64]:
         """The row of a ball, or those of several."""

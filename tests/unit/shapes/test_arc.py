@@ -1,8 +1,10 @@
 """Arcs: angles, ends, tangents and box, always in agreement."""
 
-from math import nextafter, pi
+from math import fabs, nextafter, pi, sin
 
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
 from carom import Arc, Ball, InvalidArgument
 
@@ -77,11 +79,39 @@ def test_ends_in_one_place_are_refused(end: float) -> None:
 
 def test_equal_angles_are_refused_by_setters_too() -> None:
     arc = Arc((0, 0), 2, 0, 1)
-    with pytest.raises(InvalidArgument, match="start_angle must leave the two ends apart"):
+    with pytest.raises(
+        InvalidArgument, match=r"start_angle must point another way .* \(`angles` sets both at once\), not 1"
+    ):
         arc.start_angle = 1
-    with pytest.raises(InvalidArgument, match="end_angle must differ from start_angle=2 by more than full turns"):
+    with pytest.raises(InvalidArgument, match=r"end_angle must point another way than start_angle=0.0 "):
+        arc.end_angle = 2 * pi
+    with pytest.raises(InvalidArgument, match=r"end_angle must point another way than start_angle=2 "):
         arc.set_angles(2, 2)
-    assert (arc.start_angle, arc.end_angle) == (0.0, 1.0)
+    with pytest.raises(InvalidArgument, match=r"angles\[1\] must point another way than angles\[0\]=2.0 "):
+        arc.angles = (2, 2)
+    assert arc.angles == (0.0, 1.0)
+
+
+def test_a_full_circle_is_refused_with_the_name_of_what_it_is() -> None:
+    with pytest.raises(InvalidArgument) as caught:
+        Arc((0, 0), 2, 0, 2 * pi)
+    words = "end_angle must point another way than start_angle=0 (a whole circle is a Circle), not 6.283185307179586"
+    assert str(caught.value) == words
+
+
+ANGLES = st.sampled_from([0.0, 1.0, 2.0, 4.0, -1.0]) | st.floats(-10, 10)
+
+
+@given(ANGLES, ANGLES, ANGLES, ANGLES)
+def test_both_angles_are_set_at_once_whatever_they_were(
+    start: float, end: float, new_start: float, new_end: float
+) -> None:
+    assume(fabs(sin((end - start) / 2)) > 1e-6)
+    assume(fabs(sin((new_end - new_start) / 2)) > 1e-6)
+    arc, fresh = Arc((1, 2), 3, start, end), Arc((1, 2), 3, new_start, new_end)
+    arc.angles = (new_start, new_end)
+    assert arc.angles == (arc.start_angle, arc.end_angle) == fresh.angles
+    assert arc._row.tobytes() == fresh._row.tobytes()
 
 
 def test_the_closest_point() -> None:

@@ -1,0 +1,70 @@
+"""`Plural`: a structured array whose items are objects; what hits and the answers to many queries have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeVar, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.rows import Rows
+
+if TYPE_CHECKING:
+    from carom.world.world import World
+
+T = TypeVar("T")
+
+
+class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
+    """Rows of dtype `DTYPE` whose items are objects: a single index and iteration give those.
+
+    It is false where it has no rows. Columns, and whatever NumPy computes of rows, are plain arrays.
+    """
+
+    DTYPE: ClassVar[np.dtype[Any]]
+
+    _world: World | None
+
+    @classmethod
+    def of(cls, world: World, rows: Rows) -> Self:
+        """What `world` says, from rows of dtype `DTYPE`."""
+        plural = rows.view(cls)
+        plural._world = world
+        return plural
+
+    def __array_finalize__(self, source: Any) -> None:
+        self._world = getattr(source, "_world", None)
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        """A result of NumPy's, no longer rows: `hits == hits` is an array of booleans."""
+        return array[()] if return_scalar else array
+
+    def _are_rows(self) -> bool:
+        """Whether these are rows still, and not what a view or `astype` made of them."""
+        return self.dtype == self.DTYPE
+
+    def __bool__(self) -> bool:
+        return self.size > 0 if self._are_rows() else super().__bool__()
+
+    def __iter__(self) -> Iterator[T]:  # type: ignore[override]
+        rows = self.view(np.ndarray)
+        return map(self._item, rows) if self._are_rows() and self.ndim == 1 else iter(rows)
+
+    @overload  # type: ignore[override]
+    def __getitem__(self, key: int | np.integer[Any]) -> T: ...
+    @overload
+    def __getitem__(self, key: str | list[str]) -> NDArray[Any]: ...
+    @overload
+    def __getitem__(
+        self, key: slice | NDArray[np.bool_] | NDArray[np.integer[Any]] | Sequence[bool] | Sequence[int]
+    ) -> Self: ...
+    def __getitem__(self, key: Any) -> Any:
+        item = super().__getitem__(key)
+        if isinstance(item, np.void):
+            return self._item(item)
+        return item if getattr(item, "dtype", None) == self.DTYPE else np.asarray(item)
+
+    def _item(self, row: Any) -> T:
+        """The object for a row."""
+        raise NotImplementedError
