@@ -16,6 +16,10 @@ MOST_BALLS = 100
 #: A heap at rest, which is all that follows, takes the interpreter minutes.
 DT = {"galton": 1 / 400}
 
+#: Scenes that take the interpreter half a minute and more.
+LONG = {"galton", "gas", "pinball"}
+SCENES = [pytest.param(name, marks=pytest.mark.slow if name in LONG else ()) for name in carom.scenes.names()]
+
 CODE = """
 import sys
 from tests.determinism.test_world_scenes import outcome
@@ -43,7 +47,7 @@ def outcome(scene: str) -> tuple[str, str]:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("scene", carom.scenes.names())
+@pytest.mark.parametrize("scene", SCENES)
 def test_compiled_and_interpreted(scene: str) -> None:
     printed = fresh.printed(CODE, scene, NUMBA_DISABLE_JIT="1", PYTHONHASHSEED="random")
     assert tuple(printed.split()[1:]) == outcome(scene)

@@ -30,6 +30,11 @@ SOME: dict[str, dict[str, int]] = {"galton": {"rows": 6, "balls": 40}, "gas": {"
 ELASTIC = ("gas", "newtons_cradle", "sinai", "stadium")
 
 
+#: Heaps and crowds take seconds; every other scene is quick.
+LONG = {"galton", "gas"}
+SCENES = [pytest.param(name, marks=pytest.mark.slow if name in LONG else ()) for name in scenes.names()]
+
+
 def energy(world: carom.World) -> float:
     """Kinetic and potential energy of all balls."""
     balls = world.balls
@@ -58,7 +63,7 @@ def run(world: carom.World, name: str, seconds: int) -> int:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("name", scenes.names())
+@pytest.mark.parametrize("name", SCENES)
 def test_ten_seconds(name: str) -> None:
     world = scenes.by_name(name).build()
     before = energy(world)
@@ -71,7 +76,7 @@ def test_ten_seconds(name: str) -> None:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("name", scenes.names())
+@pytest.mark.parametrize("name", SCENES)
 def test_ten_seconds_in_continuous_mode(name: str) -> None:
     world = getattr(scenes, name)(**SOME.get(name, {})).build()
     world.detection = "continuous"
@@ -87,6 +92,7 @@ def test_one_second_with_few_balls(name: str) -> None:
     run(world, name, 1)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_board_makes_a_bell() -> None:
     world = scenes.galton(rows=12, balls=1000).build()

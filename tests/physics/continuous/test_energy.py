@@ -69,6 +69,7 @@ def momentum(world: carom.World, center: tuple[float, float]) -> float:
     return (x - center[0]) * vy - (y - center[1]) * vx
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_energy_and_momentum_of_many_balls() -> None:
     random = Random(5)
