@@ -23,6 +23,7 @@ from carom.errors import (
     RecordingError,
     SceneError,
     SnapshotError,
+    UnknownName,
 )
 from carom.rows import Motion
 from carom.shapes.aabb import Aabb
@@ -74,6 +75,7 @@ __all__ = [
     "Segment",
     "Shape",
     "SnapshotError",
+    "UnknownName",
     "World",
     "__version__",
     "angle_to_vector",

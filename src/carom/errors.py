@@ -16,6 +16,13 @@ class InvalidArgument(CaromError, ValueError):
     """An argument, attribute or setting was refused; the message names it and its value."""
 
 
+class UnknownName(InvalidArgument, AttributeError, TypeError):
+    """No option, argument or attribute of this name can be given; the message says which was meant, or which there are.
+
+    It is an `AttributeError` and a `TypeError` too, for these are what Python raises for unknown names.
+    """
+
+
 class SceneError(CaromError, ValueError):
     """A scene was refused; the message lists every fault with its path."""
 

@@ -9,6 +9,7 @@ from carom.draw.footage import Footage
 from carom.draw.layers import DEFAULT_LAYERS, Layer
 from carom.draw.raster import RasterPainter
 from carom.draw.theme import ThemeName
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 SPAN, FILM_BANDS, FILM_HITS = 1.5, 4, 120
 
 
+@spelled
 class Film:
     """The frames of a recording as pictures of one size; `frame` draws one, whichever was drawn before it.
 

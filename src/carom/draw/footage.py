@@ -18,6 +18,7 @@ from carom.draw.picture import MOST_SHARES, TRACK_TOLERANCE, box_around, compose
 from carom.draw.theme import BALL_INKS
 from carom.draw.trace import MOST_HITS, centers_at, followed, track_through
 from carom.draw.tracks import thinned
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -162,6 +163,7 @@ def strongest(bounces: Rows, most: int) -> Rows:
     return np.take(bounces, np.argsort(-bounces["impulse"], kind="stable")[:most])
 
 
+@spelled
 def picture_at(
     recording: Recording,
     frame: int = -1,

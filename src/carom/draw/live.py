@@ -20,6 +20,7 @@ from carom.draw.theme import BALL_INKS, ThemeName
 from carom.draw.wake import Wake
 from carom.record.members import names_in, parts
 from carom.rows import Motion
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -39,6 +40,7 @@ ASLEEP = "off"
 LOOK, FADING = 10, 0.9
 
 
+@spelled
 class Live:
     """Draws a world as it stands, with the tracks and hits of the steps that it was told of.
 
@@ -149,6 +151,7 @@ class Live:
         surface.blit(self._kept, (0, 0))
         self.draw_moving(surface)
 
+    @spelled
     def draw_still(self, surface: Any, *, ground: bool = True) -> None:
         """Nothing; draws what stays, over the paper, or over what is there where `ground` is False."""
         self._painter.surface, self._painter.quick = surface, False

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from carom.checks import refuse
 from carom.errors import CaromError, MissingExtra
 from carom.extras import needed
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -56,6 +57,7 @@ def encoder() -> str:
     return path
 
 
+@spelled
 def write_film(film: Film, path: Path, tell: Callable[[int, int], Any] | None = None) -> None:
     """Nothing; writes a `.gif` or `.mp4` file that plays a film as fast as it happened.
 

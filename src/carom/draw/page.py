@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from carom.draw.page_run import FIRST_LAYERS, page_run
 from carom.draw.svg import printable
 from carom.draw.theme import ThemeName
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -41,6 +42,7 @@ SCRIPTS = (
 UNSAFE = str.maketrans({"<": "\\u003c", ">": "\\u003e", "&": "\\u0026"})
 
 
+@spelled
 def replay_page(
     recording: Recording, theme: ThemeName = ThemeName.AUTO, layers: Collection[Layer] = FIRST_LAYERS
 ) -> str:

@@ -13,11 +13,14 @@ from typing import Literal, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.spelling import spelled
+
 Vector: TypeAlias = tuple[float, float]
 Points: TypeAlias = NDArray[np.float64]
 Anchor: TypeAlias = Literal["start", "middle", "end"]
 
 
+@spelled
 @dataclass(frozen=True, slots=True)
 class Style:
     """How a line or an area looks: inks by name (None: not drawn), width and dashes in pixels, opacities 0 to 1."""
@@ -30,6 +33,7 @@ class Style:
     fill_opacity: float = 1.0
 
 
+@spelled
 @dataclass(frozen=True, slots=True)
 class Lettering:
     """How words look: ink by name, height in pixels, weight, and which part of them stands at their position."""

@@ -35,6 +35,7 @@ from carom.draw.tracks import BANDS, thinned
 from carom.record.members import names_in, parts
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -58,6 +59,7 @@ FULL_WEIGHT_RADIUS = 6.0
 THINNEST = 0.45
 
 
+@spelled
 @dataclass(frozen=True, slots=True)
 class Picture:
     """All that a picture shows; `draw` gives it to any painter that was made for its `frame`.
@@ -171,6 +173,7 @@ def corners(left: float, low: float, right: float, high: float) -> tuple[Vector,
     return (left, low), (right, low), (right, high), (left, high)
 
 
+@spelled
 def picture_of(
     world: World,
     name: str,
@@ -283,6 +286,7 @@ def samples_of(balls: Balls, inks: Mapping[int, str]) -> tuple[str, ...]:
     return (*(["ball"] if len(own) < len(balls.ids) else []), *dict.fromkeys(own))
 
 
+@spelled
 def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO) -> str:
     """The text of an SVG file that shows `picture`."""
     painter = SvgPainter(picture.frame, theme, title=picture.panel.name)

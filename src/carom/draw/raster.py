@@ -25,6 +25,7 @@ from carom.draw.patches import (
 from carom.draw.svg import printable
 from carom.draw.theme import THEMES, ThemeName
 from carom.extras import needed
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Sequence
@@ -49,6 +50,7 @@ FINER_LETTERS = 4
 GROUND = "stage"
 
 
+@spelled
 def png(picture: Picture, theme: ThemeName = ThemeName.LIGHT) -> bytes:
     """The bytes of a PNG file that shows `picture`; raises `MissingExtra` without pygame."""
     painter = RasterPainter(picture.frame, theme)
@@ -56,6 +58,7 @@ def png(picture: Picture, theme: ThemeName = ThemeName.LIGHT) -> bytes:
     return painter.png()
 
 
+@spelled
 class RasterPainter:
     """Draws into `surface`, of the size that the frame says; lengths and letters are the frame's, times its zoom.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
 from carom.draw.theme import DARK, LIGHT, THEMES, Theme, ThemeName
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from carom.draw.frame import Frame
@@ -34,6 +35,7 @@ def printable(words: str) -> str:
     return "".join(character if allowed(character) else "\ufffd" for character in words)
 
 
+@spelled
 class SvgPainter:
     """Draws into SVG text; `finish` returns it."""
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from carom.draw.moment import MOST_LATEST, bounces_of, latest_of
 from carom.draw.tracks import Floats, Track
 from carom.rows import Rows
+from carom.spelling import spelled
 from carom.world.layout import HIT
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ class Sample:
     bounces: Rows
 
 
+@spelled
 class Trace:
     """Remembers the last steps and the strongest bounces of a run; `note` is to be called after each step.
 

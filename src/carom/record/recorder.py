@@ -11,6 +11,7 @@ from carom.record.members import names_in, parts
 from carom.record.recording import Recording
 from carom.rows import KINEMATIC
 from carom.scene.scene import Scene
+from carom.spelling import spelled
 from carom.world.layout import HIT
 from carom.world.world import World
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 BALL_FIELDS = ["id", "x", "y", "vx", "vy", "radius", "mass", "asleep"]
 
 
+@spelled
 class Recorder:
     """Follows a world; `note` is to be called after each step, `finish` at the end.
 
@@ -60,6 +62,7 @@ class Recorder:
         self._hits: list[Rows] = []
         self._take()
 
+    @spelled
     def note(self, hits: Rows | None = None) -> None:
         """Nothing; notes a step that was made, and its `hits`."""
         if hits is not None and len(hits):

@@ -13,6 +13,7 @@ from carom.pictured import Played
 from carom.record.check import check_recording
 from carom.record.files import read_recording, write_recording
 from carom.record.members import label_of, put, shapes_of
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     import os
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 
+@spelled
 @dataclass(frozen=True, eq=False, repr=False)
 class Recording(Played):
     """What a run was: n frames of m balls, frame 0 the beginning.
@@ -77,6 +79,7 @@ class Recording(Played):
             object.__setattr__(self, field, value)
 
     @staticmethod
+    @spelled
     def of(
         world: World,
         seconds: float,

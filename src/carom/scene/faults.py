@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, get_args
 
+from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
 from carom.errors import CaromError, SceneError
+from carom.spelling import hint
 
 if TYPE_CHECKING:
     from pydantic import ValidationError
@@ -42,9 +44,9 @@ def scene_error(faults: list[str]) -> SceneError:
     return SceneError(faults[0] if len(faults) == 1 else "\n  ".join([f"{len(faults)} faults", *faults]))
 
 
-def faults_of(error: ValidationError) -> list[str]:
-    """Every fault that pydantic found, as `path: words`, in the order of the scene."""
-    return [_fault(details) for details in error.errors(include_url=False)]
+def faults_of(error: ValidationError, model: type[BaseModel]) -> list[str]:
+    """Every fault that pydantic found in a `model`, as `path: words`, in the order of the scene."""
+    return [_fault(details, model) for details in error.errors(include_url=False)]
 
 
 def refused_below(error: CaromError, fields: Iterable[str]) -> PydanticCustomError:
@@ -61,16 +63,48 @@ def fault_below(path: str, words: str) -> PydanticCustomError:
     return PydanticCustomError("below", "{words}", {"path": path, "words": words})
 
 
-def _fault(details: ErrorDetails) -> str:
-    """One fault as `path: words`."""
+def _fault(details: ErrorDetails, model: type[BaseModel]) -> str:
+    """One fault in a `model` as `path: words`."""
     kind = details["type"]
     path = path_of(details["loc"])
     context = details.get("ctx", {})
     if kind == "below":
         return _joined(path + context["path"], context["words"])
+    if kind == "extra_forbidden":
+        *place, name = details["loc"]
+        return _joined(path, _unknown(str(name), _names_at(model, place)))
+    if kind == "union_tag_not_found":
+        for name in details["input"]:
+            if said := hint(str(name), ["kind"]):
+                return _joined(f"{path}.{name}", f"is unknown; {said}")
     if kind in {"union_tag_not_found", "union_tag_invalid"}:
         path = f"{path}.kind"
     return _joined(path, _words(kind, details))
+
+
+def _unknown(name: str, known: list[str]) -> str:
+    """What to say of a field that is none of the `known` ones."""
+    said = hint(name, known)
+    return f"{_WORDS['extra_forbidden']}; {said}" if said else _WORDS["extra_forbidden"]
+
+
+def _names_at(model: type[BaseModel], place: Iterable[int | str]) -> list[str]:
+    """The fields of the table at a place in a `model`, where a step may be the kind that a table was taken for."""
+    models = [model]
+    for step in place:
+        if isinstance(step, str):
+            tagged = [one for one in models if "kind" in one.model_fields and one.model_fields["kind"].default == step]
+            fields = [one.model_fields[step].annotation for one in models if step in one.model_fields]
+            models = tagged or [below for annotation in fields for below in _models_in(annotation)]
+    return [name for one in models for name in one.model_fields]
+
+
+def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
+    """The models that a field's type speaks of."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for part in get_args(annotation):
+        yield from _models_in(part)
 
 
 def _joined(path: str, words: str) -> str:

@@ -59,7 +59,7 @@ class Scene(Descriptor, Pictured):
         try:
             BaseModel.__init__(self, **table)
         except ValidationError as error:
-            raise scene_error(faults_of(error)) from None
+            raise scene_error(faults_of(error, type(self))) from None
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:

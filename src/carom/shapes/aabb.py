@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 from carom.checks import Vector, number, pair, refuse
 from carom.geometry.aabb import box_contains, boxes_overlap
+from carom.spelling import spelled
 
 
+@spelled
 @dataclass(frozen=True, slots=True)
 class Aabb:
     """An immutable box with sides parallel to the axes; y points up, so `bottom <= top`.

@@ -11,8 +11,10 @@ from carom.rows import ARC, Row
 from carom.shapes.pose import derive
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
+from carom.spelling import spelled
 
 
+@spelled
 class Arc(RoundShape):
     """The part of a circle counterclockwise from `start_angle` to `end_angle`; takes the options of every `Shape` too.
 

@@ -17,8 +17,10 @@ from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
 from carom.shapes.shape import Shape
+from carom.spelling import spelled
 
 
+@spelled
 class Ball(Round):
     """A dynamic circle, which other shapes push about.
 
@@ -166,6 +168,7 @@ class Ball(Round):
         x, y = pair("p", p)
         return closest_on_circle(*self.position, self.radius, x, y)
 
+    @spelled
     def move(self, dt: float, gravity: Vector = (0.0, 0.0)) -> None:
         """Nothing; moves the ball freely for `dt` seconds (not negative), on the exact parabola of constant gravity.
 
@@ -183,6 +186,7 @@ class Ball(Round):
         """The contact with another ball, with the normal from this ball to that one; None where they do not overlap."""
         return detect_pair(self, ball)
 
+    @spelled
     def respond(self, contact: Contact, restitution: str = "normal") -> None:
         """Nothing; does what follows from a contact of this ball: moves it out of the shape and turns its velocity.
 

@@ -9,8 +9,10 @@ from carom.geometry.circle import closest_on_circle
 from carom.rows import CIRCLE
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
+from carom.spelling import spelled
 
 
+@spelled
 class Circle(RoundShape):
     """A round wall, which balls meet from either side, or with `solid=True` a disc; takes the options of every `Shape`.
 

@@ -16,6 +16,7 @@ from carom.shapes.group import Group
 from carom.shapes.point import Point
 from carom.shapes.pose import set_initial
 from carom.shapes.shape import Shape
+from carom.spelling import spelled
 
 #: What a compound may say for all parts about their surface.
 _SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_with")
@@ -43,6 +44,7 @@ def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
     )
 
 
+@spelled
 class Compound(Group):
     """A list of shapes that turn and travel as one about a pivot.
 

@@ -11,8 +11,10 @@ from carom.geometry.vector import cross, unit
 from carom.rows import GATE, Row
 from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
+from carom.spelling import spelled
 
 
+@spelled
 class Gate(Segment):
     """A segment that lets balls pass along `direction` and stops those that come against it; takes all options too.
 

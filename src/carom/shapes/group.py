@@ -9,9 +9,10 @@ from carom.checks import Vector, number, pair
 from carom.rows import Motion, Row
 from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.shape import Shape
+from carom.spelling import Spelled
 
 
-class Group:
+class Group(Spelled):
     """Kinematic shapes of one pivot, orientation and motion; what every `Compound` is.
 
     The first of them, the `center_point`, is the one that is asked how all of them move.

@@ -22,6 +22,7 @@ from carom.shapes.gate import Gate
 from carom.shapes.point import Point
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape, ShapeOptions
+from carom.spelling import spelled
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +34,7 @@ class _End:
     shape: Segment | Arc
 
 
+@spelled
 def guard_points(
     shapes: Iterable[Shape | Compound],
     tolerance: float = GUARD_TOLERANCE,

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from math import inf, isinf
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from carom.checks import Vector, number, pair, refuse
+from carom.errors import UnknownName
 from carom.geometry.line import closest_on_line, intersect_lines
 from carom.geometry.vector import unit
+from carom.spelling import spelled
 
 
+@spelled
 class Line:
     """An immutable line through a point: y = gradient·x + y_intercept, or a vertical line where the gradient is inf.
 
@@ -49,8 +52,10 @@ class Line:
         for slot, value in (("_x", x), ("_y", y), ("_dx", dx), ("_dy", dy)):
             object.__setattr__(self, slot, value)
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"a Line cannot be changed: {name}")
+    if not TYPE_CHECKING:  # type checkers let any attribute be set where they see this
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            raise UnknownName(f"{name} cannot be set: a Line cannot be changed")
 
     def __repr__(self) -> str:
         return f"Line({(self._x, self._y)}, {self.gradient})"

@@ -12,13 +12,14 @@ from carom.geometry.vector import length
 from carom.rows import KIND_NAMES, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.table import Home, Table
+from carom.spelling import Spelled
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
     from carom.shapes.detection import Contact
 
 
-class Member(ABC):
+class Member(Spelled, ABC):
     """A shape or ball: a view of the row `_row`, which is the only place where its state is.
 
     A world takes a member in with `_enter`, gives it back with `_leave`, and makes the object for a row that it

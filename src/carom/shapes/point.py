@@ -7,8 +7,10 @@ from typing import Unpack
 from carom.checks import Vector, pair
 from carom.rows import POINT
 from carom.shapes.shape import Shape, ShapeOptions
+from carom.spelling import spelled
 
 
+@spelled
 class Point(Shape):
     """A place that a ball bounces off; takes the options of every `Shape` too.
 

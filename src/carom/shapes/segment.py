@@ -9,8 +9,10 @@ from carom.geometry.line import closest_on_segment
 from carom.rows import SEGMENT, Row
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
+from carom.spelling import spelled
 
 
+@spelled
 class Segment(Shape):
     """A straight wall, whose ends are sorted: `start` (or `p0`) is the one with the smaller x, whichever came first.
 

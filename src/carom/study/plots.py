@@ -17,6 +17,7 @@ from carom.record.members import hits_by_label
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.segment import Segment
+from carom.spelling import spelled
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ FIRST, SECOND, OUTLINE = "#1f8aa8", "#d9480f", "#8a9099"
 MARGIN = 0.02
 
 
+@spelled
 def energy(recording: Recording, axes: Axes | None = None) -> Axes:
     """The plot of energy over time: the balls' kinetic energy, and with gravity the sum with their potential energy.
 
@@ -57,6 +59,7 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
     return _named(axes, "Energy", "time in s", "energy")
 
 
+@spelled
 def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int = MOST_ROWS) -> Axes:
     """The plot of how often each shape was hit, the most often first, by name; balls count together.
 
@@ -77,6 +80,7 @@ def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int =
     return _named(axes, "Hits by shape", "hits", "")
 
 
+@spelled
 def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80) -> Axes:
     """The map of where balls were: each cell's colour is its share of all balls' time, shapes are outlined.
 
@@ -103,6 +107,7 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
     return _named(axes, "Where the balls were", "x", "y")
 
 
+@spelled
 def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0, bins: int = 60) -> Axes:
     """The plot of how speeds are distributed over all balls and all frames from the time `since` on.
 

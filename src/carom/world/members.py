@@ -14,6 +14,7 @@ from carom.rows import BALL, Motion, Rows
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
+from carom.spelling import spelled
 from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.removal import remove_rows
@@ -122,6 +123,7 @@ class Members:
         self._states[0]["next_id"] = first + count
         return np.arange(first, first + count, dtype=np.int64)
 
+    @spelled
     def add_balls(
         self,
         position: ArrayLike,

@@ -19,6 +19,7 @@ from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS, Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
+from carom.spelling import spelled
 from carom.world import compiled
 from carom.world.answers import (
     AIM,
@@ -79,6 +80,7 @@ class Queries:
     def ray_cast(
         self, origin: Vector, target: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> CastHits: ...
+    @spelled
     def ray_cast(
         self,
         origin: Vector | Vectors,
@@ -140,6 +142,7 @@ class Queries:
         collides_with: int = ...,
         sensors: bool = ...,
     ) -> CastHits: ...
+    @spelled
     def circle_cast(
         self,
         center: Vector | Vectors,
@@ -199,6 +202,7 @@ class Queries:
     def nearest(
         self, point: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> Neighbors: ...
+    @spelled
     def nearest(
         self,
         point: Vector | Vectors,
@@ -235,6 +239,7 @@ class Queries:
     def overlapping(
         self, aabb: NDArray[Any] | Sequence[Aabb], *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> InBoxes: ...
+    @spelled
     def overlapping(
         self,
         aabb: Aabb | NDArray[Any] | Sequence[Aabb],
@@ -261,6 +266,7 @@ class Queries:
             [self._world.object(int(member)) for member in rows["shape"]] if single else InBoxes.of(self._world, rows)
         )
 
+    @spelled
     def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
         """Every overlap there is now of a ball with a shape or another ball, as a `Contacts` of `Contact` objects.
 
@@ -289,6 +295,7 @@ class Queries:
     def aim(self, ball: Ball, direction: Vectors) -> Aims: ...
     @overload
     def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aims: ...
+    @spelled
     def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aim | Aims | None:
         """The straight path of a ball up to its next impact and where both go then, or None if it meets nothing.
 

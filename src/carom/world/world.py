@@ -14,6 +14,7 @@ from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows import NO_RELATION, Rows
 from carom.shapes.aabb import Aabb
+from carom.spelling import Spelled, spelled
 from carom.world import compiled
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
@@ -37,7 +38,8 @@ SLICE_SECONDS = 0.1
 MOST_STEPS = 2**62
 
 
-class World(Settings, Members, Queries, Pictured):
+@spelled
+class World(Settings, Members, Queries, Pictured, Spelled):
     """Shapes and balls that collide.
 
     Every setting is a keyword argument and an attribute that can be changed while the world runs; `Settings` lists them
@@ -103,6 +105,7 @@ class World(Settings, Members, Queries, Pictured):
         self._departed.forget_oldest()
         return self._advance(1, length)
 
+    @spelled
     def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:
         """Every hit of `round(seconds / dt)` steps.
 

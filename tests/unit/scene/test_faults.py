@@ -111,7 +111,7 @@ def test_long_values_are_cut() -> None:
 def test_a_field_called_like_a_kind_keeps_its_name() -> None:
     with pytest.raises(carom.SceneError) as caught:
         carom.Scene(shapes=[{"kind": "point", "position": (0, 0), "point": 1}])
-    assert str(caught.value) == "shapes[0].point: is unknown"
+    assert str(caught.value) == "shapes[0].point: is unknown; did you mean position?"
 
 
 @pytest.mark.parametrize("things", [3, "circle", {"kind": "circle"}, [3], [None], ["circle"]])

@@ -6,12 +6,14 @@ from carom.checks import whole
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shipped.outline import walls
+from carom.spelling import spelled
 
 RADIUS = 0.5
 RUN_UP = 4.0  # free way of the first ball on one side, and of the last on the other
 SPEED = 6.0
 
 
+@spelled
 def newtons_cradle(balls: int = 5) -> Scene:
     """Newton's cradle, lying down: a row of balls that touch and rest, and one more on its way to them.
 

@@ -16,6 +16,7 @@ from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import CircleDescriptor
 from carom.scene.shipped.outline import walls
+from carom.spelling import spelled
 
 ROW_HEIGHT = 0.9
 PEG_RADIUS = 0.36  # two diameters of a ball between two pegs: with more, balls run sideways and the bell gets flat
@@ -34,6 +35,7 @@ PEG_ELASTICITY = 0.4
 WALL_ELASTICITY = 0.6
 
 
+@spelled
 def galton(rows: int = 12, balls: int = 1000, seed: int = 0) -> Scene:
     """Galton's board: balls fall through rows of pegs into bins, where they pile up to a bell.
 

@@ -10,12 +10,14 @@ from carom.checks import whole
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shipped.outline import walls
+from carom.spelling import spelled
 
 RADIUS = 0.5
 AREA_FRACTION = 0.20
 SPEED = 7.5  # root mean square: a quarter of a radius in a sixtieth of a second
 
 
+@spelled
 def gas(balls: int = 10_000, seed: int = 0) -> Scene:
     """A gas of elastic discs in a box, with the velocities of an equilibrium.
 
