@@ -20,7 +20,7 @@ from tests.conventions.source_trees import (
 
 LONGEST_FUNCTION = 60
 LONGEST_FILE = 500
-TEXT_ENDINGS = {".py", ".md", ".toml", ".yaml", ".json", ".svg", ".txt"}
+TEXT_ENDINGS = {".py", ".md", ".toml", ".yaml", ".yml", ".json", ".svg", ".txt"}
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:home|root|tmp|work|Users|opt)/\w|\b[A-Z]:\\\\?Users")
 WORKING_NOTE = re.compile(
     r"\b(?:TODO|FIXME|XXX)\b|\bissue\s+#?\d|\bthis (?:session|issue|ticket)\b|\bshared/\w", re.IGNORECASE
@@ -61,7 +61,9 @@ def _is_overload(node: Documented) -> bool:
 def text_files() -> list[Path]:
     """Every text of the project but this file, which quotes what it forbids."""
     rooms = [
-        path for room in ("src", "tests", "benchmarks", "docs", "examples", ".ci") for path in (ROOT / room).rglob("*")
+        path
+        for room in ("src", "tests", "benchmarks", "docs", "examples", ".ci", ".github")
+        for path in (ROOT / room).rglob("*")
     ]
     texts = [path for path in (*ROOT.iterdir(), *rooms) if path.suffix in TEXT_ENDINGS or path.parent.name == ".ci"]
     return sorted(path for path in texts if path.is_file() and path != Path(__file__))

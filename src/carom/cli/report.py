@@ -49,7 +49,8 @@ class Bar:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._progress.stop()
+        if not self._progress.disable:  # before rich 14.3 a bar that was never shown ends with an empty line
+            self._progress.stop()
 
     def tell(self, steps: int, took: float) -> None:
         """Show that `steps` steps are made, in `took` seconds after the first."""
@@ -90,7 +91,8 @@ class FilmBar:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._progress.stop()
+        if not self._progress.disable:  # before rich 14.3 a bar that was never shown ends with an empty line
+            self._progress.stop()
 
     def tell(self, done: int, total: int) -> None:
         """Show that `done` of `total` frames are encoded."""
