@@ -13,6 +13,8 @@ import carom
 BLIND = {"offscreen", "dummy", "evdev"}
 #: The part of the desktop that a window may take whose picture is larger.
 ROOM = 0.88
+#: What asks for a window as large as the screen.
+FILLING = (0, 0)
 #: What is around a picture that has not the window's form.
 AROUND = (0, 0, 0)
 
@@ -34,40 +36,41 @@ class Screen:
         check_screen()
         self._size = size
         self._full = False
-        self._open()
+        self._windowed = window_size(size, pygame.display.get_desktop_sizes()[0])
+        self._open(self._windowed)
         self._own = pygame.Surface(size).convert()
         self.fit()
 
-    def _open(self) -> None:
-        """Nothing; opens the window, or the full screen."""
-        wanted = (0, 0) if self._full else window_size(self._size, pygame.display.get_desktop_sizes()[0])
+    def _open(self, wanted: tuple[int, int]) -> None:
+        """Open a window of the `wanted` size, or the full screen."""
         try:
             pygame.display.set_mode(wanted, pygame.FULLSCREEN if self._full else pygame.RESIZABLE)
         except pygame.error as error:
             raise NoDisplay(f"no window of {wanted[0]} by {wanted[1]} pixels can be opened: {error}") from None
-        self._window_size = (0, 0)
 
     def fit(self) -> None:
-        """Nothing; finds the picture's place in a window that has changed its size."""
+        """Find the picture's place in the window as large as it is now.
+
+        To be called once events were handed out, for that is when a window changes its size, and before a picture is
+        drawn: until the next events, what was found here holds.
+        """
         window = shown()
-        if window.get_size() == self._window_size:
-            return
-        self._window_size = window.get_size()
-        width, height = self._size
-        self._scale = min(self._window_size[0] / width, self._window_size[1] / height)
-        self._area = pygame.Rect(0, 0, round(self._scale * width), round(self._scale * height))
-        self._area.center = window.get_rect().center
-        self.picture = window if self._window_size == self._size else self._own
-        window.fill(AROUND)
+        self._area, self._scale = area_in(window.get_size(), self._size)
+        self.picture = window if window.get_size() == self._size else self._own
 
     def toggle_full(self) -> None:
-        """Nothing; goes from a window to the full screen, or back; stays a window where no full screen can be had."""
+        """Go from a window to the full screen, or back to a window as large as it was.
+
+        Stay a window where no full screen can be had.
+        """
+        if not self._full:
+            self._windowed = shown().get_size()
         self._full = not self._full
         try:
-            self._open()
+            self._open(FILLING if self._full else self._windowed)
         except NoDisplay:
             self._full = False
-            self._open()
+            self._open(self._windowed)
         self.fit()
 
     def seen(self, event: pygame.event.Event) -> pygame.event.Event:
@@ -82,9 +85,12 @@ class Screen:
         return pygame.event.Event(event.type, values)
 
     def show(self) -> None:
-        """Nothing; brings the picture into the window."""
+        """Bring the picture into the window, and black around it."""
         if self.picture is self._own:
-            pygame.transform.smoothscale(self._own, self._area.size, shown().subsurface(self._area))
+            window = shown()
+            # Each time: the window's surface is a new one whenever its size has changed.
+            window.fill(AROUND)
+            pygame.transform.smoothscale(self._own, self._area.size, window.subsurface(self._area))
 
 
 def shown() -> pygame.Surface:
@@ -92,6 +98,14 @@ def shown() -> pygame.Surface:
     window = pygame.display.get_surface()
     assert window is not None
     return window
+
+
+def area_in(window: tuple[int, int], picture: tuple[int, int]) -> tuple[pygame.Rect, float]:
+    """Where in a window a picture is shown, as large as fits, in the middle; and how many times as large as it is."""
+    scale = min(window[0] / picture[0], window[1] / picture[1])
+    # A window may be so flat that of the picture's other side less than a pixel is left.
+    width, height = (max(1, round(scale * side)) for side in picture)
+    return pygame.Rect((window[0] - width) // 2, (window[1] - height) // 2, width, height), scale
 
 
 def window_size(picture: tuple[int, int], desktop: tuple[int, int]) -> tuple[int, int]:

@@ -57,11 +57,12 @@ class Window:
         return self._screen.picture
 
     def frame(self, seconds: float) -> None:
-        """Nothing; one frame, `seconds` after the last one."""
+        """Play one frame, `seconds` after the last one."""
         game, screen = self._game, self._screen
         game.meter.begin()
+        events = pygame.event.get()
         screen.fit()
-        for event in pygame.event.get():
+        for event in events:
             if event.type == pygame.QUIT:
                 game.running = False
             elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
