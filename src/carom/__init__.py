@@ -41,6 +41,7 @@ from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
+    from carom import draw, study
     from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
@@ -79,6 +80,7 @@ __all__ = [
     "World",
     "__version__",
     "angle_to_vector",
+    "draw",
     "guard_points",
     "normalize",
     "normalize_angle",
@@ -86,6 +88,7 @@ __all__ = [
     "perp",
     "rotate_point",
     "scenes",
+    "study",
 ]
 
 #: Names that cost time to import (a compiler, a validator), each with the module that it is imported from when used.
@@ -102,16 +105,21 @@ _LAZY = {
     "scenes": "carom.scene",
 }
 
+#: Modules that are imported when used, so that `import carom` is enough.
+_LAZY_MODULES = {"draw", "study"}
 
-def __getattr__(name: str) -> Any:
-    """A lazy name's value, imported now; called for names that this module does not have."""
-    if name not in _LAZY:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(_LAZY[name]), name)
-    globals()[name] = value
-    return value
+
+if not TYPE_CHECKING:  # type checkers would take any name where they see this
+
+    def __getattr__(name: str) -> Any:
+        """A lazy name's value, imported now; called for names that this module does not have."""
+        if name not in _LAZY and name not in _LAZY_MODULES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = import_module(f"carom.{name}") if name in _LAZY_MODULES else getattr(import_module(_LAZY[name]), name)
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:
-    """The names of the module, the lazy ones too."""
-    return sorted({*globals(), *_LAZY})
+    """The public names, the lazy ones too."""
+    return sorted(__all__)

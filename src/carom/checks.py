@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import Any, TypeAlias
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS
+from carom.typing import Vector
 
-Vector: TypeAlias = tuple[float, float]
+#: One of a few words.
+Word = TypeVar("Word", bound=str)
 
 #: Characters of a refused value in a message at most.
 LONGEST_VALUE = 1000
@@ -96,10 +98,10 @@ def text_or_none(name: str, value: Any) -> str | None:
     raise refuse(name, "must be a string or None", value)
 
 
-def one_of(name: str, value: Any, choices: tuple[str, ...]) -> str:
+def one_of(name: str, value: Any, choices: tuple[Word, ...]) -> Word:
     """`value`, which must be one of the strings `choices`."""
     if isinstance(value, str) and value in choices:
-        return value
+        return choices[choices.index(value)]
     raise refuse(name, "must be one of " + ", ".join(map(repr, choices)), value)
 
 

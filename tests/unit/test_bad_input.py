@@ -15,7 +15,19 @@ import pytest
 import carom
 
 #: Public names whose walk is elsewhere, or that take no input of the user's.
-ELSEWHERE = {"World", "Hits", "HitKind", "Recorder", "Recording", "Scene", "scenes", "Motion", "__version__"}
+ELSEWHERE = {
+    "draw",
+    "study",
+    "World",
+    "Hits",
+    "HitKind",
+    "Recorder",
+    "Recording",
+    "Scene",
+    "scenes",
+    "Motion",
+    "__version__",
+}
 
 NO_NUMBERS = [nan, inf, -inf, "1", b"1", None, True, [1.0], 10**400, 1j]
 NO_VECTORS = [(nan, 0), (0, inf), (0, -inf), (1,), (1, 2, 3), "ab", None, 5, {1: 2, 3: 4}, {1, 2}, ("1", 2), (True, 2)]

@@ -23,6 +23,21 @@ def test_every_public_name_exists() -> None:
         assert name in dir(carom)
 
 
+def test_pictures_and_studies_need_no_import_of_their_own() -> None:
+    program = (
+        "import sys, carom; before = set(sys.modules)\n"
+        "assert not {'carom.draw', 'carom.study'} & before\n"
+        "print(carom.draw.svg.__name__, carom.draw.Film.__name__, carom.study.plots.energy.__name__)\n"
+        "assert carom.draw is sys.modules['carom.draw'] and 'matplotlib' not in sys.modules"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "svg Film energy"
+
+
+def test_only_public_names_are_listed() -> None:
+    assert dir(carom) == sorted(carom.__all__)
+
+
 def test_an_unknown_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="module 'carom' has no attribute 'Sphere'"):
         _ = carom.Sphere

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from carom.checks import Vector, number, pair, refuse
+from carom.checks import number, pair, refuse
 from carom.geometry.aabb import box_contains, boxes_overlap
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -37,17 +38,17 @@ class Aabb:
             raise refuse("bottom", f"must not exceed top={self.top!r}", self.bottom)
 
     @classmethod
-    def at(cls, point: Vector) -> Aabb:
+    def at(cls, point: Pair) -> Aabb:
         """The box that is the one point."""
         x, y = pair("point", point)
         return cls(x, y, x, y)
 
-    def including(self, point: Vector) -> Aabb:
+    def including(self, point: Pair) -> Aabb:
         """The smallest box around this one and a point."""
         x, y = pair("point", point)
         return Aabb(min(self.left, x), min(self.bottom, y), max(self.right, x), max(self.top, y))
 
-    def translated(self, v: Vector) -> Aabb:
+    def translated(self, v: Pair) -> Aabb:
         """This box moved by the vector `v`."""
         x, y = pair("v", v)
         return Aabb(self.left + x, self.bottom + y, self.right + x, self.top + y)
@@ -78,7 +79,7 @@ class Aabb:
             raise refuse("other", "must be an Aabb", other)
         return boxes_overlap(self.left, self.bottom, self.right, self.top, *other)
 
-    def __contains__(self, point: Vector) -> bool:
+    def __contains__(self, point: Pair) -> bool:
         x, y = pair("point", point)
         return box_contains(self.left, self.bottom, self.right, self.top, x, y)
 

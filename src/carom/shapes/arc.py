@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Unpack
 
-from carom.checks import Vector, number, pair, positive, refuse
+from carom.checks import number, pair, positive, refuse
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
 from carom.rows import ARC, Row
@@ -12,6 +12,7 @@ from carom.shapes.pose import derive
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -33,7 +34,7 @@ class Arc(RoundShape):
 
     def __init__(
         self,
-        center: Vector,
+        center: Pair,
         radius: float,
         start_angle: float,
         end_angle: float,
@@ -85,7 +86,7 @@ class Arc(RoundShape):
         return self.start_angle, self.end_angle
 
     @angles.setter
-    def angles(self, value: Vector) -> None:
+    def angles(self, value: Pair) -> None:
         start, end = pair("angles", value)
         self._set_angles(("angles[0]", start), ("angles[1]", end))
 
@@ -137,13 +138,13 @@ class Arc(RoundShape):
         """How far it is along the arc from end to end."""
         return arc_length(self.radius, self.start_angle, self.end_angle)
 
-    def in_sector(self, p: Vector) -> bool:
+    def in_sector(self, p: Pair) -> bool:
         """Whether the direction from the centre to `p` is one of the arc's; the bounding rays and the centre count."""
         x, y = pair("p", p)
         (cx, cy), (ax, ay), (bx, by) = self.center, self.p0, self.p1
         return in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy)
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of it that is nearest to `p`: an end outside the sector, its middle where `p` is the centre."""
         x, y = pair("p", p)
         return closest_on_arc(*self.center, self.radius, *self.p0, *self.p1, x, y)

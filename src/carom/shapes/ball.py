@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from carom.checks import Vector, flag, layers, non_negative, one_of, pair, positive, refuse, text_or_none
+from carom.checks import flag, layers, non_negative, one_of, pair, positive, refuse, text_or_none
 from carom.geometry.aabb import circle_box
 from carom.geometry.circle import closest_on_circle
 from carom.geometry.response import exchanged, reflected, reflected_total, separated
@@ -18,6 +18,7 @@ from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.typing import Pair, Restitution, Vector
 
 
 @spelled
@@ -44,9 +45,9 @@ class Ball(Round):
 
     def __init__(
         self,
-        position: Vector,
+        position: Pair,
         radius: float,
-        velocity: Vector = (0.0, 0.0),
+        velocity: Pair = (0.0, 0.0),
         mass: float = 1.0,
         *,
         elasticity: float = 1.0,
@@ -98,7 +99,7 @@ class Ball(Round):
         return float(row["x"]), float(row["y"])
 
     @position.setter
-    def position(self, value: Vector) -> None:
+    def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         self._write(self._with("position", value, x=x, y=y))
 
@@ -108,7 +109,7 @@ class Ball(Round):
         return self.position
 
     @center.setter
-    def center(self, value: Vector) -> None:
+    def center(self, value: Pair) -> None:
         x, y = pair("center", value)
         self._write(self._with("center", value, x=x, y=y))
 
@@ -119,7 +120,7 @@ class Ball(Round):
         return float(row["vx"]), float(row["vy"])
 
     @velocity.setter
-    def velocity(self, value: Vector) -> None:
+    def velocity(self, value: Pair) -> None:
         vx, vy = pair("velocity", value)
         self._write(self._with("velocity", value, vx=vx, vy=vy))
 
@@ -163,13 +164,13 @@ class Ball(Round):
 
     # -- what it does ------------------------------------------------------------------------------------------------
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of its perimeter that is nearest to `p`; the one at angle 0 where `p` is its centre."""
         x, y = pair("p", p)
         return closest_on_circle(*self.position, self.radius, x, y)
 
     @spelled
-    def move(self, dt: float, gravity: Vector = (0.0, 0.0)) -> None:
+    def move(self, dt: float, gravity: Pair = (0.0, 0.0)) -> None:
         """Nothing; moves the ball freely for `dt` seconds (not negative), on the exact parabola of constant gravity.
 
         `p += v·dt + g·dt²/2`, then `v += g·dt`; `gravity` in length/s². Raises `InvalidArgument` for bad arguments, and
@@ -187,7 +188,7 @@ class Ball(Round):
         return detect_pair(self, ball)
 
     @spelled
-    def respond(self, contact: Contact, restitution: str = "normal") -> None:
+    def respond(self, contact: Contact, restitution: Restitution = "normal") -> None:
         """Nothing; does what follows from a contact of this ball: moves it out of the shape and turns its velocity.
 
         With e the product of the two elasticities, a ball that approaches leaves with e times its normal speed relative

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Unpack
 
-from carom.checks import Vector, flag, pair, positive
+from carom.checks import flag, pair, positive
 from carom.geometry.circle import closest_on_circle
 from carom.rows import CIRCLE
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -27,7 +28,7 @@ class Circle(RoundShape):
 
     _KIND = CIRCLE
 
-    def __init__(self, center: Vector, radius: float, solid: bool = False, **options: Unpack[ShapeOptions]) -> None:
+    def __init__(self, center: Pair, radius: float, solid: bool = False, **options: Unpack[ShapeOptions]) -> None:
         x, y = pair("center", center)
         size, is_solid = positive("radius", radius), flag("solid", solid)
         self._create("radius", radius, options, cx=x, cy=y, radius=size, solid=is_solid)
@@ -44,7 +45,7 @@ class Circle(RoundShape):
     def solid(self, value: bool) -> None:
         self._put("solid", flag("solid", value))
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of the perimeter that is nearest to `p`; the one at angle 0 where `p` is the centre."""
         x, y = pair("p", p)
         return closest_on_circle(*self.center, self.radius, x, y)

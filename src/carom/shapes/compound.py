@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from copy import copy
 from typing import Any
 
-from carom.checks import Vector, flag, layers, non_negative, pair, refuse, text_or_none
+from carom.checks import flag, layers, non_negative, pair, refuse, text_or_none
 from carom.geometry.vector import length
 from carom.rows import KINEMATIC, Motion, Row
 from carom.shapes.aabb import Aabb
@@ -17,6 +17,7 @@ from carom.shapes.point import Point
 from carom.shapes.pose import set_initial
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 #: What a compound may say for all parts about their surface.
 _SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_with")
@@ -77,7 +78,7 @@ class Compound(Group):
     def __init__(
         self,
         shapes: Iterable[Shape],
-        pivot: Vector,
+        pivot: Pair,
         *,
         elasticity: float | None = None,
         kick: float | None = None,
@@ -87,8 +88,8 @@ class Compound(Group):
         collides_with: int | None = None,
         angular_velocity: float = 0.0,
         rotating: bool = True,
-        turn_limits: tuple[float, float] | None = None,
-        velocity: Vector = (0.0, 0.0),
+        turn_limits: Pair | None = None,
+        velocity: Pair = (0.0, 0.0),
         name: str | None = None,
         user: Any = None,
     ) -> None:
@@ -203,13 +204,13 @@ class Compound(Group):
             max(box.top for box in boxes),
         )
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of its parts that is nearest to `p`; its position, where it has none."""
         x, y = pair("p", p)
         points = [shape.closest_point((x, y)) for shape in self.shapes] or [self.position]
         return min(points, key=lambda q: length(x - q[0], y - q[1]))
 
-    def distance(self, p: Vector) -> float:
+    def distance(self, p: Pair) -> float:
         """How far `p` is from the `closest_point`; never negative."""
         x, y = pair("p", p)
         near_x, near_y = self.closest_point(p)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from carom.checks import Vector, refuse
+from carom.checks import refuse
 from carom.geometry.overlap import overlap_ball, overlap_gate
 from carom.geometry.vector import length
 from carom.rows import BALL_KIND, GATE, Row
 from carom.shapes.contact import find_contact, may_meet
 from carom.shapes.member import Member
 from carom.shapes.pose import acting_spin, surface_velocity
+from carom.typing import Vector
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball

@@ -5,13 +5,14 @@ from __future__ import annotations
 from math import fabs
 from typing import Unpack
 
-from carom.checks import Vector, pair, refuse
+from carom.checks import pair, refuse
 from carom.constants import ROUNDING
 from carom.geometry.vector import cross, unit
 from carom.rows import GATE, Row
 from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -31,9 +32,7 @@ class Gate(Segment):
 
     _KIND = GATE
 
-    def __init__(
-        self, start: Vector, end: Vector, direction: Vector | None = None, **options: Unpack[ShapeOptions]
-    ) -> None:
+    def __init__(self, start: Pair, end: Pair, direction: Pair | None = None, **options: Unpack[ShapeOptions]) -> None:
         (ax, ay), (bx, by) = two_ends(start, end)
         if direction is None:
             tx, ty = unit(bx - ax, by - ay) or (0.0, 0.0)  # the ends differ, but their difference may overflow
@@ -58,12 +57,12 @@ class Gate(Segment):
         return float(row["dx"]) + 0.0, float(row["dy"]) + 0.0  # -0 + 0 is 0
 
     @direction.setter
-    def direction(self, value: Vector) -> None:
+    def direction(self, value: Pair) -> None:
         dx, dy = _unit_direction(value)
         self._set_geometry("direction", value, dx=dx, dy=dy)
 
 
-def _unit_direction(value: Vector) -> Vector:
+def _unit_direction(value: Pair) -> Vector:
     """The unit vector along a direction that a user gave."""
     direction = unit(*pair("direction", value))
     if direction is None:

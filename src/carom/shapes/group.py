@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from carom.checks import Vector, number, pair
+from carom.checks import number, pair
 from carom.rows import Motion, Row
 from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.shape import Shape
 from carom.spelling import Spelled
+from carom.typing import Pair, Vector
 
 
 class Group(Spelled):
@@ -38,7 +39,7 @@ class Group(Spelled):
         return self.center_point.position
 
     @position.setter
-    def position(self, value: Vector) -> None:
+    def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         from_x, from_y = self.position
         pivot_x, pivot_y = self.pivot
@@ -52,7 +53,7 @@ class Group(Spelled):
         return self.center_point.pivot
 
     @pivot.setter
-    def pivot(self, value: Vector) -> None:
+    def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         rows = [part._hung("pivot", value, x, y) for part in self._parts]
         rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
@@ -67,7 +68,7 @@ class Group(Spelled):
     def orientation(self, value: float) -> None:
         self._turn("orientation", value, *self.pivot)
 
-    def rotate(self, pivot: Vector, angle: float) -> None:
+    def rotate(self, pivot: Pair, angle: float) -> None:
         """Nothing; turns all parts from their initial geometry by `angle` radians about `pivot`, the new pivot.
 
         Raises `InvalidArgument` for an angle beyond the turn limits.
@@ -118,7 +119,7 @@ class Group(Spelled):
         return self.center_point.turn_limits
 
     @turn_limits.setter
-    def turn_limits(self, value: tuple[float, float] | None) -> None:
+    def turn_limits(self, value: Pair | None) -> None:
         self._forward(write_turn_limits, value)
 
     @property
@@ -127,9 +128,9 @@ class Group(Spelled):
         return self.center_point.velocity
 
     @velocity.setter
-    def velocity(self, value: Vector) -> None:
+    def velocity(self, value: Pair) -> None:
         self._forward(write_velocity, value)
 
-    def surface_velocity(self, p: Vector) -> Vector:
+    def surface_velocity(self, p: Pair) -> Vector:
         """The velocity of the compound's matter at `p`, in length/s."""
         return self.center_point.surface_velocity(p)

@@ -11,7 +11,7 @@ from math import atan2, fabs
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import Vector, non_negative, refuse
+from carom.checks import non_negative, refuse
 from carom.constants import GUARD_ANGLE_TOLERANCE, GUARD_TOLERANCE
 from carom.geometry.vector import cross, dot, length
 from carom.rows import KINEMATIC
@@ -23,6 +23,7 @@ from carom.shapes.point import Point
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Vector
 
 
 @dataclass(frozen=True, slots=True)

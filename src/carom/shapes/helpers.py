@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from carom.checks import Vector, number, pair, refuse
+from carom.checks import number, pair, refuse
 from carom.geometry import angle as angles
 from carom.geometry import vector as vectors
+from carom.typing import Pair, Vector
 
 
 def normalize_angle(a: float) -> float:
@@ -18,7 +19,7 @@ def normalize_angle(a: float) -> float:
     return angles.normalize_angle(number("a", a))
 
 
-def normalize(v: Vector) -> Vector:
+def normalize(v: Pair) -> Vector:
     """The unit vector in the direction of `v`. Raises `InvalidArgument` for a zero vector.
 
     >>> normalize((0, -5))
@@ -30,7 +31,7 @@ def normalize(v: Vector) -> Vector:
     return result
 
 
-def perp(v: Vector) -> Vector:
+def perp(v: Pair) -> Vector:
     """The vector `v` turned counterclockwise by a right angle: `(-y, x)`.
 
     >>> perp((3, 4))
@@ -45,13 +46,13 @@ def angle_to_vector(a: float) -> Vector:
     return angles.direction(number("a", a))
 
 
-def rotate_point(p: Vector, center: Vector, a: float) -> Vector:
+def rotate_point(p: Pair, center: Pair, a: float) -> Vector:
     """The point `p` turned counterclockwise by `a` radians about `center`."""
     turn = number("a", a)
     return vectors.rotated_about(*pair("p", p), *pair("center", center), cos(turn), sin(turn))
 
 
-def parallel_component(v: Vector, w: Vector) -> Vector:
+def parallel_component(v: Pair, w: Pair) -> Vector:
     """The part of `v` along `w`: `(v·ŵ)ŵ`. Raises `InvalidArgument` where `w` is zero.
 
     >>> parallel_component((3, 4), (0, 2))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from math import inf, isinf
 from typing import TYPE_CHECKING, Any, Self
 
-from carom.checks import Vector, number, pair, refuse
+from carom.checks import number, pair, refuse
 from carom.errors import UnknownName
 from carom.geometry.line import closest_on_line, intersect_lines
 from carom.geometry.vector import unit
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -30,12 +31,12 @@ class Line:
     _dx: float
     _dy: float
 
-    def __init__(self, point: Vector, gradient: float) -> None:
+    def __init__(self, point: Pair, gradient: float) -> None:
         x, y = pair("point", point)
         self._lay(x, y, *_direction(gradient))
 
     @classmethod
-    def through(cls, first: Vector, second: Vector) -> Self:
+    def through(cls, first: Pair, second: Pair) -> Self:
         """The line through two points, which must differ."""
         x, y = pair("first", first)
         to_x, to_y = pair("second", second)
@@ -86,7 +87,7 @@ class Line:
             raise refuse("other", "must be a Line", other)
         return intersect_lines(self._x, self._y, self._dx, self._dy, other._x, other._y, other._dx, other._dy)
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of the line that is nearest to `p`."""
         x, y = pair("p", p)
         return closest_on_line(self._x, self._y, self._dx, self._dy, x, y)

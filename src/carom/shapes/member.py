@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from carom.checks import Vector, flag, layers, non_negative, pair, text_or_none
+from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.geometry.vector import length
 from carom.rows import KIND_NAMES, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.table import Home, Table
 from carom.spelling import Spelled
+from carom.typing import Pair, Vector
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -209,10 +210,10 @@ class Member(Spelled, ABC):
         """Where it is: a point's own place, a segment's midpoint, the centre of a circle, an arc or a ball."""
 
     @abstractmethod
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of it that is nearest to `p`; of its perimeter, where it is round."""
 
-    def distance(self, p: Vector) -> float:
+    def distance(self, p: Pair) -> float:
         """How far `p` is from its `closest_point`; never negative."""
         x, y = pair("p", p)
         near_x, near_y = self.closest_point((x, y))

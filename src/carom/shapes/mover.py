@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from carom.checks import Vector, number, pair, refuse
+from carom.checks import number, pair, refuse
 from carom.rows import KINEMATIC, SHAPE, Motion, Row
 from carom.shapes.member import Member
 from carom.shapes.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.table import Home, Table
+from carom.typing import MotionName, Pair, Vector
 
 if TYPE_CHECKING:
     from carom.shapes.compound import Compound
@@ -127,10 +128,10 @@ class Mover(Member):
         return float(row["cx"]), float(row["cy"])
 
     @position.setter
-    def position(self, value: Vector) -> None:
+    def position(self, value: Pair) -> None:
         self._put_at("position", value)
 
-    def _put_at(self, name: str, value: Vector) -> None:
+    def _put_at(self, name: str, value: Pair) -> None:
         """Nothing; moves the shape so that its position is `value`, and its pivot with it."""
         x, y = pair(name, value)
         self._refuse_part(name, value)
@@ -148,7 +149,7 @@ class Mover(Member):
         return float(row["pivot_x"]), float(row["pivot_y"])
 
     @pivot.setter
-    def pivot(self, value: Vector) -> None:
+    def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         self._refuse_part("pivot", value)
         self._write(self._hung("pivot", value, x, y))
@@ -158,7 +159,7 @@ class Mover(Member):
         """How far it has turned since its initial geometry, in radians; not brought to any range."""
         return float(self._row["orientation"])
 
-    def rotate(self, pivot: Vector, angle: float) -> None:
+    def rotate(self, pivot: Pair, angle: float) -> None:
         """Nothing; turns the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
 
         Always from the initial geometry, so a million small turns accumulate no drift. Raises `InvalidArgument` for a
@@ -197,7 +198,7 @@ class Mover(Member):
         return Motion(int(self._row["motion"]))
 
     @motion.setter
-    def motion(self, value: str | Motion) -> None:
+    def motion(self, value: MotionName | Motion) -> None:
         self._refuse_part("motion", value)
         write_motion(self._row, value)
         self._change()
@@ -231,7 +232,7 @@ class Mover(Member):
         return (float(row["turn_low"]), float(row["turn_high"])) if row["turn_limited"] else None
 
     @turn_limits.setter
-    def turn_limits(self, value: tuple[float, float] | None) -> None:
+    def turn_limits(self, value: Pair | None) -> None:
         self._refuse_part("turn_limits", value)
         write_turn_limits(self._row, value)
         self._change()
@@ -243,12 +244,12 @@ class Mover(Member):
         return float(row["velocity_x"]), float(row["velocity_y"])
 
     @velocity.setter
-    def velocity(self, value: Vector) -> None:
+    def velocity(self, value: Pair) -> None:
         self._refuse_part("velocity", value)
         write_velocity(self._row, value)
         self._change()
 
-    def surface_velocity(self, p: Vector) -> Vector:
+    def surface_velocity(self, p: Pair) -> Vector:
         """The velocity of the shape's matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""
         x, y = pair("p", p)
         row = self._row

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Unpack
 
-from carom.checks import Vector, pair
+from carom.checks import pair
 from carom.rows import POINT
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -22,14 +23,14 @@ class Point(Shape):
 
     _KIND = POINT
 
-    def __init__(self, position: Vector, **options: Unpack[ShapeOptions]) -> None:
+    def __init__(self, position: Pair, **options: Unpack[ShapeOptions]) -> None:
         x, y = pair("position", position)
         self._create("position", position, options, cx=x, cy=y)
 
     def __repr__(self) -> str:
         return f"Point({self.position})"
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point itself, whatever `p` is."""
         pair("p", p)
         return self.position

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
-from carom.checks import Vector, pair, positive, refuse
+from carom.checks import pair, positive, refuse
 from carom.geometry.circle import circle_contains, common_tangents, tangent_points
 from carom.shapes.member import Member
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
+from carom.typing import Pair, Vector
 
 
 class Round(Member):
@@ -26,12 +27,12 @@ class Round(Member):
     def radius(self) -> float:
         """The radius; positive."""
 
-    def contains(self, p: Vector) -> bool:
+    def contains(self, p: Pair) -> bool:
         """Whether `p` lies strictly inside the circle, compared as squares."""
         x, y = pair("p", p)
         return circle_contains(*self.center, self.radius, x, y)
 
-    def tangent_points(self, p: Vector) -> tuple[Vector, Vector] | None:
+    def tangent_points(self, p: Pair) -> tuple[Vector, Vector] | None:
         """The two points where tangents through `p` touch the circle, or None where `p` lies inside.
 
         The first is the one counterclockwise of the direction from `p` to the centre. For `p` on the circle both are
@@ -75,7 +76,7 @@ class RoundShape(Shape, Round):
         return self.position
 
     @center.setter
-    def center(self, value: Vector) -> None:
+    def center(self, value: Pair) -> None:
         self._put_at("center", value)
 
     @property

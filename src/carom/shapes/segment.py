@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Unpack
 
-from carom.checks import Vector, pair, refuse
+from carom.checks import pair, refuse
 from carom.geometry.line import closest_on_segment
 from carom.rows import SEGMENT, Row
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
+from carom.typing import Pair, Vector
 
 
 @spelled
@@ -29,7 +30,7 @@ class Segment(Shape):
 
     _KIND = SEGMENT
 
-    def __init__(self, start: Vector, end: Vector, **options: Unpack[ShapeOptions]) -> None:
+    def __init__(self, start: Pair, end: Pair, **options: Unpack[ShapeOptions]) -> None:
         (ax, ay), (bx, by) = two_ends(start, end)
         self._create("end", end, options, ax=ax, ay=ay, bx=bx, by=by)
 
@@ -50,10 +51,10 @@ class Segment(Shape):
         return float(row["ax"]), float(row["ay"])
 
     @p0.setter
-    def p0(self, value: Vector) -> None:
+    def p0(self, value: Pair) -> None:
         self._put_p0("p0", value)
 
-    def _put_p0(self, name: str, value: Vector) -> None:
+    def _put_p0(self, name: str, value: Pair) -> None:
         """Nothing; moves the end `p0`."""
         x, y = pair(name, value)
         self._set_geometry(name, value, ax=x, ay=y)
@@ -65,10 +66,10 @@ class Segment(Shape):
         return float(row["bx"]), float(row["by"])
 
     @p1.setter
-    def p1(self, value: Vector) -> None:
+    def p1(self, value: Pair) -> None:
         self._put_p1("p1", value)
 
-    def _put_p1(self, name: str, value: Vector) -> None:
+    def _put_p1(self, name: str, value: Pair) -> None:
         """Nothing; moves the end `p1`."""
         x, y = pair(name, value)
         self._set_geometry(name, value, bx=x, by=y)
@@ -79,7 +80,7 @@ class Segment(Shape):
         return self.p0
 
     @start.setter
-    def start(self, value: Vector) -> None:
+    def start(self, value: Pair) -> None:
         self._put_p0("start", value)
 
     @property
@@ -88,10 +89,10 @@ class Segment(Shape):
         return self.p1
 
     @end.setter
-    def end(self, value: Vector) -> None:
+    def end(self, value: Pair) -> None:
         self._put_p1("end", value)
 
-    def set_ends(self, start: Vector, end: Vector) -> None:
+    def set_ends(self, start: Pair, end: Pair) -> None:
         """Nothing; moves both ends at once. Raises `InvalidArgument` where they are equal."""
         (ax, ay), (bx, by) = two_ends(start, end)
         self._set_geometry("end", end, ax=ax, ay=ay, bx=bx, by=by)
@@ -146,13 +147,13 @@ class Segment(Shape):
         """The y at which its line has x = 0; inf where it is vertical."""
         return self.line.y_intercept
 
-    def closest_point(self, p: Vector) -> Vector:
+    def closest_point(self, p: Pair) -> Vector:
         """The point of it that is nearest to `p`; an end, where `p` lies past that."""
         x, y = pair("p", p)
         return closest_on_segment(*self.p0, *self.p1, x, y)
 
 
-def two_ends(start: Vector, end: Vector) -> tuple[Vector, Vector]:
+def two_ends(start: Pair, end: Pair) -> tuple[Vector, Vector]:
     """The two ends that a user gave, the smaller x first (of equal ones, the smaller y); raises for equal ones."""
     ends = pair("start", start), pair("end", end)
     if ends[0] == ends[1]:

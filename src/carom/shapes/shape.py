@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
 
 import numpy as np
 
-from carom.checks import Vector, flag, layers, non_negative, pair, text_or_none
+from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.rows import ALL_LAYERS, SHAPE, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_shape
 from carom.shapes.mover import Mover
 from carom.shapes.pose import derive, set_initial
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+from carom.typing import MotionName, Pair
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -28,12 +29,12 @@ class ShapeOptions(TypedDict, total=False):
     can_collide: bool
     layer: int
     collides_with: int
-    motion: str | Motion
-    pivot: Vector | None
+    motion: MotionName | Motion
+    pivot: Pair | None
     angular_velocity: float
     rotating: bool
-    turn_limits: tuple[float, float] | None
-    velocity: Vector
+    turn_limits: Pair | None
+    velocity: Pair
     name: str | None
     user: Any
 
@@ -96,12 +97,12 @@ class Shape(Mover):
         can_collide: bool = True,
         layer: int = 1,
         collides_with: int = ALL_LAYERS,
-        motion: str | Motion = "static",
-        pivot: Vector | None = None,
+        motion: MotionName | Motion = "static",
+        pivot: Pair | None = None,
         angular_velocity: float = 0.0,
         rotating: bool = True,
-        turn_limits: tuple[float, float] | None = None,
-        velocity: Vector = (0.0, 0.0),
+        turn_limits: Pair | None = None,
+        velocity: Pair = (0.0, 0.0),
         name: str | None = None,
         user: Any = None,
     ) -> tuple[str | None, Any]:

@@ -2,3 +2,7 @@
 
 `plots` needs matplotlib: `pip install "carom[study]"`.
 """
+
+from carom.study import plots
+
+__all__ = ["plots"]

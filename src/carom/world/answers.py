@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import Vector
 from carom.shapes.detection import Contact
+from carom.typing import Vector
 from carom.world.plural import Plural
 
 if TYPE_CHECKING:

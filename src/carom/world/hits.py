@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.checks import Vector
 from carom.extras import needed
 from carom.rows import Rows
+from carom.typing import Vector
 from carom.world.layout import BOUNCE, ENTER, EXIT, HIT
 from carom.world.plural import Plural
 

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom import checks
-from carom.checks import Vector
 from carom.errors import InvalidArgument
 from carom.rows import ALL_LAYERS, Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.spelling import spelled
+from carom.typing import OnePair, Pairs, Vector
 from carom.world import compiled
 from carom.world.answers import (
     AIM,
@@ -46,8 +46,14 @@ if TYPE_CHECKING:
 #: What a query sees: its `layer`, its `collides_with`, and whether it sees sensors.
 Masks: TypeAlias = tuple[int, int, bool]
 
-#: Many pairs: an array of shape (n, 2), or a list of pairs.
-Vectors: TypeAlias = NDArray[Any] | Sequence[Vector]
+#: One number for each of many queries: an array of shape (n,), or a list.
+Numbers: TypeAlias = NDArray[Any] | Sequence[float]
+
+#: A box as it is taken: itself, or its left, bottom, right and top.
+OneBox: TypeAlias = Aabb | tuple[float, float, float, float]
+
+#: Many boxes: an array of shape (n, 4), or a list of boxes.
+Boxes: TypeAlias = NDArray[Any] | Sequence[OneBox]
 
 
 class Queries:
@@ -64,13 +70,13 @@ class Queries:
 
     @overload
     def ray_cast(
-        self, origin: Vector, target: Vector, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, origin: OnePair, target: OnePair, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> CastHit | None: ...
     @overload
     def ray_cast(
         self,
-        origin: Vectors,
-        target: Vector | Vectors,
+        origin: Pairs,
+        target: OnePair | Pairs,
         *,
         layer: int = ...,
         collides_with: int = ...,
@@ -78,13 +84,13 @@ class Queries:
     ) -> CastHits: ...
     @overload
     def ray_cast(
-        self, origin: Vector, target: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, origin: OnePair, target: Pairs, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> CastHits: ...
     @spelled
     def ray_cast(
         self,
-        origin: Vector | Vectors,
-        target: Vector | Vectors,
+        origin: OnePair | Pairs,
+        target: OnePair | Pairs,
         *,
         layer: int = ALL_LAYERS,
         collides_with: int = ALL_LAYERS,
@@ -112,9 +118,9 @@ class Queries:
     @overload
     def circle_cast(
         self,
-        center: Vector,
+        center: OnePair,
         radius: float,
-        target: Vector,
+        target: OnePair,
         *,
         layer: int = ...,
         collides_with: int = ...,
@@ -123,9 +129,9 @@ class Queries:
     @overload
     def circle_cast(
         self,
-        center: Vectors,
-        radius: float | NDArray[Any],
-        target: Vector | Vectors,
+        center: Pairs,
+        radius: float | Numbers,
+        target: OnePair | Pairs,
         *,
         layer: int = ...,
         collides_with: int = ...,
@@ -134,9 +140,20 @@ class Queries:
     @overload
     def circle_cast(
         self,
-        center: Vector,
-        radius: float | NDArray[Any],
-        target: Vectors,
+        center: OnePair,
+        radius: float | Numbers,
+        target: Pairs,
+        *,
+        layer: int = ...,
+        collides_with: int = ...,
+        sensors: bool = ...,
+    ) -> CastHits: ...
+    @overload
+    def circle_cast(
+        self,
+        center: OnePair,
+        radius: Numbers,
+        target: OnePair,
         *,
         layer: int = ...,
         collides_with: int = ...,
@@ -145,9 +162,9 @@ class Queries:
     @spelled
     def circle_cast(
         self,
-        center: Vector | Vectors,
-        radius: float | NDArray[Any],
-        target: Vector | Vectors,
+        center: OnePair | Pairs,
+        radius: float | Numbers,
+        target: OnePair | Pairs,
         *,
         layer: int = ALL_LAYERS,
         collides_with: int = ALL_LAYERS,
@@ -196,16 +213,16 @@ class Queries:
 
     @overload
     def nearest(
-        self, point: Vector, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, point: OnePair, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> Neighbor | None: ...
     @overload
     def nearest(
-        self, point: Vectors, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, point: Pairs, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> Neighbors: ...
     @spelled
     def nearest(
         self,
-        point: Vector | Vectors,
+        point: OnePair | Pairs,
         *,
         layer: int = ALL_LAYERS,
         collides_with: int = ALL_LAYERS,
@@ -233,16 +250,16 @@ class Queries:
 
     @overload
     def overlapping(
-        self, aabb: Aabb, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, aabb: OneBox, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> list[Shape | Ball]: ...
     @overload
     def overlapping(
-        self, aabb: NDArray[Any] | Sequence[Aabb], *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
+        self, aabb: Boxes, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> InBoxes: ...
     @spelled
     def overlapping(
         self,
-        aabb: Aabb | NDArray[Any] | Sequence[Aabb],
+        aabb: OneBox | Boxes,
         *,
         layer: int = ALL_LAYERS,
         collides_with: int = ALL_LAYERS,
@@ -290,13 +307,13 @@ class Queries:
     # -- a pool player's line ----------------------------------------------------------------------------------------
 
     @overload
-    def aim(self, ball: Ball, direction: Vector) -> Aim | None: ...
+    def aim(self, ball: Ball, direction: OnePair) -> Aim | None: ...
     @overload
-    def aim(self, ball: Ball, direction: Vectors) -> Aims: ...
+    def aim(self, ball: Ball, direction: Pairs) -> Aims: ...
     @overload
-    def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aims: ...
+    def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aims: ...
     @spelled
-    def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: Vector | Vectors) -> Aim | Aims | None:
+    def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aim | Aims | None:
         """The straight path of a ball up to its next impact and where both go then, or None if it meets nothing.
 
         It meets what it would meet in a step (masks hold, sensors do not count, a gate stops it from the closed side),

@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, overload
+
+from numpy.typing import NDArray
 
 from carom import checks
-from carom.checks import Vector
 from carom.errors import InvalidArgument
 from carom.rows import Row
 from carom.shapes.aabb import Aabb
+from carom.typing import BroadPhase, Detection, Pair, Restitution, Vector
 
 if TYPE_CHECKING:
     from carom.world.world import World
 
+#: What a setting gives back, and what it takes.
 T = TypeVar("T")
+S = TypeVar("S")
+W = TypeVar("W", bound=str)
 
-DETECTIONS = ("discrete", "continuous")
-BROAD_PHASES = ("brute", "grid", "quadtree")
-RESTITUTIONS = ("normal", "total")
+DETECTIONS: tuple[Detection, ...] = ("discrete", "continuous")
+BROAD_PHASES: tuple[BroadPhase, ...] = ("brute", "grid", "quadtree")
+RESTITUTIONS: tuple[Restitution, ...] = ("normal", "total")
+
+#: What bounds may be given as: a box, or its left, bottom, right and top.
+Sides: TypeAlias = Aabb | Sequence[float] | NDArray[Any]
 
 NONE = -1.0
 
 
-class Setting(Generic[T]):
+class Setting(Generic[T, S]):
     """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there."""
 
     def __init__(
@@ -44,7 +52,7 @@ class Setting(Generic[T]):
         self.name = name
 
     @overload
-    def __get__(self, world: None, owner: type) -> Setting[T]: ...
+    def __get__(self, world: None, owner: type) -> Setting[T, S]: ...
     @overload
     def __get__(self, world: World, owner: type) -> T: ...
     def __get__(self, world: World | None, owner: type) -> Any:
@@ -52,13 +60,13 @@ class Setting(Generic[T]):
             return self
         return self._read(world._states[0])
 
-    def __set__(self, world: World, value: Any) -> None:
+    def __set__(self, world: World, value: S) -> None:
         checked = self.check(self.name, value)
         self._write(world._states[0], checked)
         world._changed_all()
 
 
-def scalar(default: float, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float]:
+def scalar(default: float, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float, float]:
     """A setting that is one number."""
 
     def write(state: Row, value: float) -> None:
@@ -67,7 +75,9 @@ def scalar(default: float, check: Callable[[str, Any], float], field: str, doc: 
     return Setting(default, check, write, lambda state: float(state[field]), doc)
 
 
-def optional(default: float | None, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float | None]:
+def optional(
+    default: float | None, check: Callable[[str, Any], float], field: str, doc: str
+) -> Setting[float | None, float | None]:
     """A setting that is one number or None."""
 
     def checked(name: str, value: Any) -> float | None:
@@ -82,7 +92,7 @@ def optional(default: float | None, check: Callable[[str, Any], float], field: s
     return Setting(default, checked, write, read, doc)
 
 
-def count(default: int, most: int, field: str, doc: str) -> Setting[int]:
+def count(default: int, most: int, field: str, doc: str) -> Setting[int, int]:
     """A setting that is a whole number of at least 1."""
 
     def check(name: str, value: Any) -> int:
@@ -94,19 +104,19 @@ def count(default: int, most: int, field: str, doc: str) -> Setting[int]:
     return Setting(default, check, write, lambda state: int(state[field]), doc)
 
 
-def choice(default: str, choices: tuple[str, ...], field: str, doc: str) -> Setting[str]:
+def choice(default: W, choices: tuple[W, ...], field: str, doc: str) -> Setting[W, W]:
     """A setting that is one of several words."""
 
-    def check(name: str, value: Any) -> str:
+    def check(name: str, value: Any) -> W:
         return checks.one_of(name, value, choices)
 
-    def write(state: Row, value: str) -> None:
+    def write(state: Row, value: W) -> None:
         state[field] = choices.index(value)
 
     return Setting(default, check, write, lambda state: choices[int(state[field])], doc)
 
 
-def switch(default: bool, field: str, doc: str) -> Setting[bool]:
+def switch(default: bool, field: str, doc: str) -> Setting[bool, bool]:
     """A setting that is on or off."""
 
     def write(state: Row, value: bool) -> None:
@@ -115,7 +125,7 @@ def switch(default: bool, field: str, doc: str) -> Setting[bool]:
     return Setting(default, checks.flag, write, lambda state: bool(state[field]), doc)
 
 
-def vector(default: Vector, x: str, y: str, doc: str) -> Setting[Vector]:
+def vector(default: Vector, x: str, y: str, doc: str) -> Setting[Vector, Pair]:
     """A setting that is a pair of numbers."""
 
     def write(state: Row, value: Vector) -> None:
@@ -124,7 +134,7 @@ def vector(default: Vector, x: str, y: str, doc: str) -> Setting[Vector]:
     return Setting(default, checks.pair, write, lambda state: (float(state[x]), float(state[y])), doc)
 
 
-def box(doc: str) -> Setting[Aabb | None]:
+def box(doc: str) -> Setting[Aabb | None, Sides | None]:
     """A setting that is a box or None."""
 
     def check(name: str, value: Any) -> Aabb | None:
@@ -159,7 +169,7 @@ class Settings:
     """The settings of a world, each an attribute that can be changed while the world runs."""
 
     gravity = vector((0.0, 0.0), "gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
-    detection = choice(
+    detection: Setting[Detection, Detection] = choice(
         "discrete",
         DETECTIONS,
         "detection",
@@ -168,9 +178,11 @@ class Settings:
     )
     substeps = count(4, 1_000_000, "substeps", "Motion iterations per step.")
     iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")
-    broad_phase = choice("grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs.")
+    broad_phase: Setting[BroadPhase, BroadPhase] = choice(
+        "grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs."
+    )
     levels = count(6, 16, "levels", "Levels of the quadtree, the root included.")
-    restitution = choice(
+    restitution: Setting[Restitution, Restitution] = choice(
         "normal",
         RESTITUTIONS,
         "total_restitution",

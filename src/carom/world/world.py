@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 
 from carom import checks
-from carom.checks import Vector
 from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows import NO_RELATION, Rows
-from carom.shapes.aabb import Aabb
 from carom.spelling import Spelled, spelled
+from carom.typing import BroadPhase, Detection, Pair, Restitution
 from carom.world import compiled
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
@@ -22,7 +21,7 @@ from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
 from carom.world.safety import roll_back
-from carom.world.settings import SETTINGS, Settings
+from carom.world.settings import SETTINGS, Settings, Sides
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
 from carom.world.tables import Room, clear_kernel_place
@@ -57,20 +56,20 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def __init__(
         self,
         *,
-        gravity: Vector = (0.0, 0.0),
-        detection: str = "discrete",
+        gravity: Pair = (0.0, 0.0),
+        detection: Detection = "discrete",
         substeps: int = 4,
         iterations: int = 6,
-        broad_phase: str = "grid",
+        broad_phase: BroadPhase = "grid",
         levels: int = 6,
-        restitution: str = "normal",
+        restitution: Restitution = "normal",
         friction: float = 0.0,
         sleep_speed: float = 0.0,
         sleep_time: float = 0.5,
         rest_speed: float | None = None,
         max_speed: float | None = None,
         max_impacts: int = 100_000,
-        bounds: Aabb | None = None,
+        bounds: Sides | None = None,
         remove_strays: bool = False,
     ) -> None:
         given = locals()

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 import carom
+from carom.typing import BroadPhase
 
 #: How many balls: few of them, each number, and many.
 FEW = tuple(range(2, 33))
@@ -21,7 +22,7 @@ BEFORE, MEASURED = 30, 4
 #: Levels of the quadtree: enough that no leaf is crowded, for as many balls.
 LEVELS = 10
 #: The broad phases, their names and colours; the colours can be told apart without colour sight.
-LOOKS: Mapping[str, tuple[str, str]] = MappingProxyType(
+LOOKS: Mapping[BroadPhase, tuple[str, str]] = MappingProxyType(
     {"brute": ("brute force", "#d9480f"), "quadtree": ("quadtree", "#1f8aa8"), "grid": ("grid", "#5c940d")}
 )
 #: Numbers of balls that the table of figures is about.
@@ -39,7 +40,7 @@ class Count:
         pairs: Box tests of two balls.
     """
 
-    broad_phase: str
+    broad_phase: BroadPhase
     balls: int
     tests: float
     pairs: float
@@ -50,7 +51,7 @@ class Count:
         return self.tests / self.balls
 
 
-def count(balls: int, broad_phase: str, before: int = BEFORE, measured: int = MEASURED) -> Count:
+def count(balls: int, broad_phase: BroadPhase, before: int = BEFORE, measured: int = MEASURED) -> Count:
     """The box tests of an iteration among `balls` discs of a gas, the mean of some steps after the first ones."""
     world = carom.scenes.gas(balls=balls).build()
     world.levels = LEVELS

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import carom
@@ -11,9 +12,15 @@ from carom.play.toy.items import OPTIONS
 from carom.play.toy.lane import Lane
 from carom.play.toy.settings import ACTS, BOTH, SHOWN, Settings, apply
 from carom.play.toy.table import Table
+from carom.typing import Detection
 
 #: Seconds of a step; slow motion makes shorter ones, so that balls still glide.
 STEP = 1 / 60
+
+#: The detection of each table, by what the settings call it.
+KINDS: Mapping[str, tuple[Detection, ...]] = MappingProxyType(
+    {"discrete": ("discrete",), "continuous": ("continuous",), BOTH: ("discrete", "continuous")}
+)
 
 
 class Desk:
@@ -95,10 +102,9 @@ class Desk:
             apply(self.settings, table.world, kind)
 
     @property
-    def kinds(self) -> tuple[str, ...]:
+    def kinds(self) -> tuple[Detection, ...]:
         """The detection of each table."""
-        detection = self.settings.detection
-        return ("discrete", "continuous") if detection == BOTH else (detection,)
+        return KINDS[self.settings.detection]
 
     def _lay_out(self, detection: str) -> None:
         """Nothing; puts a second table next to the first, the same as that, or leaves the one that is asked for."""

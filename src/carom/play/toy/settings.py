@@ -10,6 +10,7 @@ from typing import Any
 import carom
 from carom import draw
 from carom.draw import Layer
+from carom.typing import BroadPhase, Detection, Restitution
 
 #: How many times slower than real time the world may run.
 PACES = (1, 4, 10)
@@ -46,12 +47,12 @@ class Settings:
     size: float = 0.5
     speed: float = 24.0
     count: int = 10
-    broad_phase: str = "grid"
+    broad_phase: BroadPhase = "grid"
     levels: int = 6
     motion: int = 4
     collision: int = 6
     detection: str = "discrete"
-    restitution: str = "normal"
+    restitution: Restitution = "normal"
     gravity: float = 5.0
     friction: float = 0.0
     sleep: float = 0.0
@@ -62,7 +63,7 @@ class Settings:
     layers: frozenset[Layer] = field(default=draw.DEFAULT_LAYERS)
 
 
-def apply(settings: Settings, world: carom.World, detection: str) -> None:
+def apply(settings: Settings, world: carom.World, detection: Detection) -> None:
     """Nothing; sets a world as `settings` say, its detection aside."""
     for name, act in ACTS.items():
         act(world, getattr(settings, name))

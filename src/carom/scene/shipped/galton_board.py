@@ -11,12 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from carom.checks import Vector, whole
+from carom.checks import whole
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import CircleDescriptor
 from carom.scene.shipped.outline import walls
 from carom.spelling import spelled
+from carom.typing import Vector
 
 ROW_HEIGHT = 0.9
 PEG_RADIUS = 0.36  # two diameters of a ball between two pegs: with more, balls run sideways and the bell gets flat

@@ -7,8 +7,8 @@ from itertools import pairwise
 from math import acos, atan2, cos, hypot, pi, sin, tan
 from typing import Any, TypeAlias
 
-from carom.checks import Vector
 from carom.scene.shape_descriptors import ArcDescriptor, CompoundDescriptor, Part, SegmentDescriptor
+from carom.typing import Vector
 
 #: A centre and a radius.
 Disc: TypeAlias = tuple[Vector, float]

@@ -10,7 +10,6 @@ from __future__ import annotations
 from math import acos, cos, pi, radians, sin
 from typing import Any
 
-from carom.checks import Vector
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import (
@@ -21,6 +20,7 @@ from carom.scene.shape_descriptors import (
     SegmentDescriptor,
 )
 from carom.scene.shipped.outline import band, mirrored, polar, rounded
+from carom.typing import Vector
 
 WIDTH, HEIGHT = 20.0, 42.0
 DOME = ((10.0, 32.0), 10.0)

@@ -9,11 +9,11 @@ from __future__ import annotations
 from math import cos, hypot, radians, sin, tan
 from typing import Any
 
-from carom.checks import Vector
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import CircleDescriptor, GateDescriptor
 from carom.scene.shipped.outline import Disc, rounded
+from carom.typing import Vector
 
 LENGTH, WIDTH = 254.0, 127.0
 BALL_RADIUS = 2.8575

@@ -9,7 +9,6 @@ from __future__ import annotations
 from math import pi, radians
 from typing import Any
 
-from carom.checks import Vector
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import (
@@ -21,6 +20,7 @@ from carom.scene.shape_descriptors import (
     SegmentDescriptor,
 )
 from carom.scene.shipped.outline import polar, walls
+from carom.typing import Vector
 
 WIDTH, HEIGHT = 32.0, 24.0
 LANE = 30.6  # x of the wall between room and launch lane
