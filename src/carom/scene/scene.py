@@ -88,10 +88,8 @@ class Scene(Descriptor, Pictured):
         except InvalidArgument as error:
             raise SceneError(f"world: {error}") from None
         shapes = [descriptor.build() for descriptor in self.shapes]
-        for shape in guarded(shapes) if self.guard else shapes:
-            world.add(shape)
-        for ball in self.balls:
-            world.add(ball.build())
+        world.add(*(guarded(shapes) if self.guard else shapes))
+        world.add(*(ball.build() for ball in self.balls))
         return world
 
     @classmethod

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
 from carom.world.departed import Departed
+from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.removal import remove_rows
 from carom.world.safety import was_changed
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 T = TypeVar("T", bound=Shape | Ball | Compound)
+T2 = TypeVar("T2", bound=Shape | Ball | Compound)
+T3 = TypeVar("T3", bound=Shape | Ball | Compound)
+T4 = TypeVar("T4", bound=Shape | Ball | Compound)
 
 NO_BALLS: Rows = np.zeros(0, BALL)
 
@@ -80,37 +84,40 @@ class Members:
             else []
         )
 
-    def add(self, shape: T) -> T:
-        """`shape`, which is now in the world: a shape, a compound or a ball, live views of their rows here.
+    @overload
+    def add(self, shape: T, /) -> T: ...
+    @overload
+    def add(self, shape: T, second: T2, /) -> tuple[T, T2]: ...
+    @overload
+    def add(self, shape: T, second: T2, third: T3, /) -> tuple[T, T2, T3]: ...
+    @overload
+    def add(self, shape: T, second: T2, third: T3, fourth: T4, /) -> tuple[T, T2, T3, T4]: ...
+    @overload
+    def add(self, *shapes: T) -> tuple[T, ...]: ...
+    def add(self, *shapes: Any) -> Any:
+        """What was given, which is now in the world: shapes, compounds and balls, live views of their rows here.
+
+        One comes back as it is, several as a tuple, in the order in which they were given and have been added.
 
         Raises:
-            InvalidArgument: It is no shape or ball, or is in a world already, or is part of a compound that is not.
+            InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound that is
+                not, or stands there twice. None has been added then.
         """
-        if isinstance(shape, Ball):
-            members: list[Shape | Ball] = [shape]
-        elif isinstance(shape, Compound):
-            members = [shape.center_point, *shape.shapes]
-        elif isinstance(shape, Shape):
-            members = [shape]
-        else:
-            raise checks.refuse("shape", "must be a shape, a compound or a ball", shape)
-        for member in members:
-            if member.world is not None:
-                raise checks.refuse("shape", "must not be in a world already", shape)
-        compound = shape.compound if isinstance(shape, Shape) else None
-        if compound is not None and compound.world is not self:
-            raise checks.refuse("shape", "must not be part of a compound that is not in the world", shape)
-        for member in members:
-            self._enter(member)
-        if not isinstance(shape, Ball) and compound is None:
-            self._added[members[0].id or 0] = shape
-        self._rearrange()
-        return shape
+        members = entering(self, shapes)
+        for table, kind in ((self._room.balls, Ball), (self._room.shapes, Shape)):
+            table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
+        for shape, each in zip(shapes, members, strict=True):
+            for member in each:
+                self._enter(member)
+            if isinstance(shape, Compound) or (isinstance(shape, Shape) and shape.compound is None):
+                self._added[each[0].id or 0] = shape
+        if shapes:
+            self._rearrange()
+        return shapes[0] if len(shapes) == 1 else shapes
 
     def _enter(self, member: Shape | Ball) -> None:
-        """Nothing; gives a member a row at the end of its table."""
+        """Give a member a row at the end of its table, where there is room for it."""
         table = self._room.balls if isinstance(member, Ball) else self._room.shapes
-        table.reserve(table.count + 1)
         place = table.count
         table.rows[place]["id"] = self._next_ids(1)[0]
         table.count += 1
@@ -155,25 +162,24 @@ class Members:
         self._rearrange()
         return rows["id"].copy()
 
-    def remove(self, shape: Shape | Compound | Ball) -> None:
-        """Nothing; takes a shape, compound or ball out of the world. The object keeps its last values.
+    def remove(self, *shapes: Shape | Compound | Ball) -> None:
+        """Take shapes, compounds and balls out of the world; the objects keep their last values.
 
-        A sensor that it was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next step.
+        A sensor that one of them was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next
+        step. Many are taken out at once as fast as one; what is given twice is taken out once.
 
         Raises:
-            InvalidArgument: It is not in this world, or is part of a compound.
+            InvalidArgument: One of them is not in this world, or is part of a compound. None has been taken out then.
         """
-        if getattr(shape, "world", None) is not self:
-            raise checks.refuse("shape", "must be in this world", shape)
-        if isinstance(shape, Shape) and shape.compound is not None:
-            raise checks.refuse("shape", "must not be part of a compound: remove the compound", shape)
-        members = [shape.center_point, *shape.shapes] if isinstance(shape, Compound) else [shape]
-        self._added.pop(members[0].id or 0, None)
-        ids = [member.id or 0 for member in members]
-        if isinstance(shape, Ball):
-            self._remove(np.isin(self._room.balls.used["id"], ids), self._none_of(self._room.shapes.count))
-        else:
-            self._remove(self._none_of(self._room.balls.count), np.isin(self._room.shapes.used["id"], ids))
+        leavers = leaving(self, shapes)
+        gone = {table: self._none_of(table.count) for table in (self._room.balls, self._room.shapes)}
+        for members in leavers:
+            self._added.pop(members[0].id or 0, None)
+            for member in members:
+                table = self._room.balls if isinstance(member, Ball) else self._room.shapes
+                gone[table][table.index(member)] = True
+        if shapes:
+            self._remove(gone[self._room.balls], gone[self._room.shapes])
 
     @staticmethod
     def _none_of(count: int) -> NDArray[np.bool_]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
@@ -49,11 +49,16 @@ class WorldTable(Table):
         if capacity > len(self.rows):
             self.rows = grown(self.rows, max(capacity, 2 * self.count) if doubling else capacity, self.count)
 
-    def drop(self, gone: Rows) -> None:
+    def drop(self, gone: NDArray[np.bool_]) -> None:
         """Take out the rows where the mask `gone` is True; the others move up and keep their order."""
-        kept = self.used[~gone]
-        self.rows[: len(kept)] = kept
-        self.count = len(kept)
+        if not gone.any():
+            return
+        first = int(np.argmax(gone))
+        # As plain words: NumPy moves structured rows field by field.
+        words = self.rows.view(np.uint64).reshape(len(self.rows), -1)
+        kept = np.compress(~gone[first:], words[first : self.count], axis=0)
+        self.count = first + len(kept)
+        words[first : self.count] = kept
 
 
 def grown(rows: Rows, capacity: int, keep: int) -> Rows:

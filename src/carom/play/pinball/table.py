@@ -91,8 +91,7 @@ class Table:
         self.world = carom.scenes.pinball().build()
         self.world.substeps = 1
         self.world.broad_phase = "brute"  # the quickest for so few shapes of which some always move
-        for ball in list(self.world.balls):
-            self.world.remove(ball)
+        self.world.remove(*self.world.balls)
         #: Every part by the id of its shape, as hits name it.
         self.parts: dict[int, Part] = {}
         #: Where parts are, by their names; those of parts with lamps are the lamps' names too.

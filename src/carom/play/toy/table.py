@@ -40,8 +40,7 @@ class Table:
 
     def clear(self) -> None:
         """Nothing; takes all balls out and begins to count anew."""
-        for ball in list(self.world.balls):
-            self.world.remove(ball)
+        self.world.remove(*self.world.balls)
         self.world.statistics.reset()
         self.launched = 0
 

@@ -1,0 +1,61 @@
+"""What may come into a world, and what may be taken out of it: looked at before anything has changed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from carom import checks
+from carom.shapes.ball import Ball
+from carom.shapes.compound import Compound
+from carom.shapes.shape import Shape
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from carom.errors import InvalidArgument
+    from carom.world.members import Members
+
+
+def members_of(shape: Shape | Ball | Compound) -> list[Shape | Ball]:
+    """What has a row of its own: `shape`, or the parts of a compound, its `center_point` first."""
+    return [shape.center_point, *shape.shapes] if isinstance(shape, Compound) else [shape]
+
+
+def entering(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
+    """The members of each of `shapes`, which may all come in; raises `InvalidArgument` for the first that may not."""
+    found = []
+    given: set[int] = set()
+    for place, shape in enumerate(shapes):
+        if not isinstance(shape, (Shape, Ball, Compound)):
+            listed = isinstance(shape, (list, tuple))
+            must = "must be a shape, a compound or a ball" + (" (a list of them is added by add(*shapes))" * listed)
+            raise _refuse(shapes, place, must)
+        members = members_of(shape)
+        if any(member.world is not None for member in members):
+            raise _refuse(shapes, place, "must not be in a world already (copy.copy(shape) makes one that is in none)")
+        compound = shape.compound if isinstance(shape, Shape) else None
+        if compound is not None and compound.world is not world:
+            raise _refuse(shapes, place, "must not be part of a compound that is not in the world: add the compound")
+        if id(shape) in given:
+            raise _refuse(shapes, place, "must not be given twice")
+        given.add(id(shape))
+        found.append(members)
+    return found
+
+
+def leaving(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
+    """The members of each of `shapes`, which may all leave; raises `InvalidArgument` for the first that may not."""
+    for place, shape in enumerate(shapes):
+        if getattr(shape, "world", None) is not world:
+            listed = isinstance(shape, (list, tuple))
+            raise _refuse(
+                shapes, place, "must be in this world" + (" (a list is taken out by remove(*shapes))" * listed)
+            )
+        if isinstance(shape, Shape) and shape.compound is not None:
+            raise _refuse(shapes, place, "must not be part of a compound: remove the compound")
+    return [members_of(shape) for shape in shapes]
+
+
+def _refuse(shapes: Sequence[Any], place: int, must: str) -> InvalidArgument:
+    """The error to raise for one of several arguments, which it names by its place where it is not the only one."""
+    return checks.refuse("shape" if len(shapes) == 1 else f"shapes[{place}]", must, shapes[place])
