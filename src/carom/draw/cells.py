@@ -51,7 +51,7 @@ class Partition:
 def partition_of(world: World) -> Partition:
     """How the broad phase of `world`, as it is set now, divides the room, for balls as large as the largest."""
     scene = Scene(world=described_world(world), shapes=list(world.shapes))
-    return partition(scene, max((ball.radius for ball in world.balls), default=0.0))
+    return partition(scene, float(world._room.balls.used["radius"].max(initial=0.0)))
 
 
 def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from carom.checks import refuse, whole
 from carom.draw.cells import partition_of
 from carom.draw.frame import LEAST_SIDE, MOST_SIDE, Frame
@@ -90,7 +88,6 @@ class Live:
         self._own = self._painter.surface
         self._changing = frozenset(shape.id for shape in changing)
         self._layers = layers_of(layers)
-        self._ids = np.zeros(0, np.int64)
         self._measures = Measures(1.0, 1.0, 1.0)
         self._frames = 0
         self.refresh()
@@ -121,8 +118,7 @@ class Live:
         ordered = sorted(materials, key=lambda pair: LOOKS.index(pair[1]))
         self._moving = [(shape, material) for shape, material in ordered if self._changes(shape)]
         still = [drawn(shape, material) for shape, material in ordered if not self._changes(shape)]
-        self._ids = np.zeros(0, np.int64)
-        balls = self._balls()
+        balls = Balls.of(self._world)
         self._picture = Picture(
             Panel("", "", ()),
             self.frame,
@@ -164,7 +160,7 @@ class Live:
     def draw_moving(self, surface: Any) -> None:
         """Nothing; draws what moves, over what is there."""
         self._painter.surface, self._painter.quick = surface, True
-        balls = self._balls()
+        balls = Balls.of(self._world)
         tracks = self._wake.tracks() if Layer.TRACKS in self._layers else ()
         hits, latest = self._wake.hits, self._wake.latest
         if self._frames % LOOK == 0:
@@ -182,15 +178,6 @@ class Live:
         replace(self._picture, moment=moment, inks=self._inks(balls), measures=self._measures).draw_moving(
             self._painter
         )
-
-    def _balls(self) -> Balls:
-        """The balls as they stand; their radii are asked for when there are other balls."""
-        balls = self._world.balls
-        if not np.array_equal(balls.id, self._ids):
-            self._ids = balls.id.copy()
-            # One by one: asking for the column of all of them would wake the balls that sleep.
-            self._radii = np.array([ball.radius for ball in balls])
-        return Balls(balls.position.copy(), self._radii, self._ids, balls.velocity.copy())
 
     def _inks(self, balls: Balls) -> dict[int, str]:
         """The inks of balls that have one of their own."""

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from carom.draw.tracks import Track
     from carom.rows import Rows
     from carom.shapes.shape import Shape
+    from carom.world.world import World
 
 #: Seconds for which a hit is one of the latest, and how many of these there are at most.
 LATEST, MOST_LATEST = 1.0, 24
@@ -38,6 +39,14 @@ class Balls:
     radii: NDArray[np.float64]
     ids: NDArray[np.int64]
     velocities: Points = field(default_factory=no_points)
+
+    @classmethod
+    def of(cls, world: World) -> Balls:
+        """The balls of a world as they stand now."""
+        balls = world.balls
+        # Not the column of radii: that may be written to, so those who ask for it wake the balls that sleep.
+        radii = world._room.balls.used["radius"]
+        return cls(balls.position.copy(), radii.copy(), balls.id.copy(), balls.velocity.copy())
 
 
 @dataclass(frozen=True, slots=True)

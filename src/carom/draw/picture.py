@@ -189,9 +189,7 @@ def picture_of(
     `shares` are the numbers of hits by what was hit, the largest first; the panel shows the first `MOST_SHARES`. What
     `layers` there are says `Layer`; `size` is in pixels.
     """
-    # Radii one by one: asking for the column of all of them would wake the balls that sleep.
-    radii = np.array([ball.radius for ball in world.balls])
-    balls = Balls(world.balls.position.copy(), radii, world.balls.id.copy(), world.balls.velocity.copy())
+    balls = Balls.of(world)
     moment = Moment(world.time, balls) if trace is None else traced(world.time, balls, trace)
     shapes = parts(world.shapes)
     cells: tuple[Cell, ...] = ()

@@ -94,6 +94,19 @@ def test_a_held_ball_goes_where_the_mouse_is(player: Player) -> None:
     assert ball.position == pytest.approx((x + 0.4, y + 0.4), abs=0.1)
 
 
+def test_every_key_does_what_it_does_on_empty_tables_too(player: Player) -> None:
+    player.key(pygame.K_c)
+    for detection in ("continuous", "both"):
+        player.key(pygame.K_d)
+        assert player.desk.settings.detection == detection
+        assert all(len(table.world.balls) == 0 for table in player.desk.tables)
+    for key, name in KEYS.items():
+        if name not in {"quit", "help", "detection"}:
+            player.key(key)
+            player.key(pygame.K_c)
+            assert player.toy.running
+
+
 def test_a_click_beside_all_balls_holds_nothing(player: Player) -> None:
     player.mouse(pygame.MOUSEBUTTONDOWN, player.toy.views[0].pixel((10.0, 16.0)))
     assert player.desk.hand.ball is None

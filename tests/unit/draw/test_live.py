@@ -167,6 +167,15 @@ def test_a_ball_that_comes_later_is_drawn_at_its_size_and_its_way_is_shown() -> 
     assert (seen[64:80, 30:60] != before[64:80, 30:60]).any(), "its way"
 
 
+def test_a_ball_that_grows_is_drawn_as_large_as_it_is() -> None:
+    world = room()
+    live = draw.Live(world, BOX, SIZE, layers={Layer.BALLS})
+    before = drawn(live)
+    world.balls[0].radius = 1.5
+    after = drawn(live)
+    assert (at(after, live, 6.0, 3.3) != at(before, live, 6.0, 3.3)).any()
+
+
 def test_a_ball_that_sleeps_looks_different_and_sleeps_on() -> None:
     world = carom.World(sleep_speed=0.1, sleep_time=0.02)
     ball = world.add(carom.Ball((5.0, 5.0), radius=2.0))
