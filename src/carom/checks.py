@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from math import isfinite
+from reprlib import Repr
 from typing import Any, TypeVar
 
 import numpy as np
@@ -21,10 +23,55 @@ LONGEST_VALUE = 1000
 
 def refuse(name: str, must: str, value: object) -> InvalidArgument:
     """The error to raise when argument `name` with `value` does not do what it `must`; shows up to a page of it."""
-    shown = repr(value)
+    shown = written(value, LONGEST_VALUE)
     if len(shown) > LONGEST_VALUE:
         shown = f"{shown[:LONGEST_VALUE]} ..."
     return InvalidArgument(f"{name} {must}, not {shown}")
+
+
+def written(value: object, longest: int) -> str:
+    """The beginning of `repr(value)`, more than `longest` characters of it where there are more; any value has one."""
+    return _Beginning(longest).repr(value)
+
+
+class _Beginning(Repr):
+    """Writes as `repr` does, but no more than is asked for, no deeper than the stack allows, and any whole number."""
+
+    def __init__(self, longest: int) -> None:
+        super().__init__()
+        self._longest = longest
+        self.maxlevel = min(longest, 100)
+        # Each item is one character at least, with a comma and a space after it.
+        self._most = longest // 3 + 2
+        self.maxtuple = self.maxlist = self.maxset = self.maxfrozenset = self.maxdeque = self.maxarray = self._most
+
+    def repr1(self, x: Any, level: int) -> str:
+        if isinstance(x, (str, bytes)):
+            return repr(x[: self._longest])
+        if isinstance(x, int):
+            return _digits(x)[: self._longest + 1]
+        return self._table(x, level) if type(x) is dict else super().repr1(x, level)
+
+    def _table(self, table: dict[Any, Any], level: int) -> str:
+        """A dictionary, in its own order."""
+        if level <= 0:
+            return "{...}"
+        pairs = islice(table.items(), self._most)
+        return "{" + ", ".join(f"{self.repr1(k, level - 1)}: {self.repr1(v, level - 1)}" for k, v in pairs) + "}"
+
+    def repr_instance(self, x: Any, level: int) -> str:
+        try:
+            return repr(x) if level else "..."
+        except Exception:  # noqa: BLE001  # whatever a stranger's `__repr__` may raise
+            return object.__repr__(x)
+
+
+def _digits(number: int) -> str:
+    """A whole number as it is written; in hexadecimal, if Python refuses to write so many decimal digits."""
+    try:
+        return repr(number)
+    except ValueError:
+        return hex(number)
 
 
 def number(name: str, value: Any) -> float:
@@ -76,13 +123,14 @@ def flag(name: str, value: Any) -> bool:
     raise refuse(name, "must be True or False", value)
 
 
-def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1) -> int:
-    """`value` as an int from `least` to `most`."""
+def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1, reason: str = "") -> int:
+    """`value` as an int from `least` to `most`; a larger one is told the `reason` where there is one."""
     if isinstance(value, (bool, str, bytes, float)) or not hasattr(value, "__index__"):
         raise refuse(name, "must be a whole number", value)
     result = int(value.__index__())
     if not least <= result <= most:
-        raise refuse(name, f"must be from {least} to {most}", value)
+        why = f" ({reason})" if reason and result > most else ""
+        raise refuse(name, f"must be from {least} to {most}{why}", value)
     return result
 
 

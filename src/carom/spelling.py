@@ -54,9 +54,14 @@ _ELSEWHERE = {
     "mass": "only balls have one, Ball(mass=...)",
 }
 
+#: Characters of a name that is compared with others; a longer one is like none of them.
+LONGEST_NAME = 60
+
 
 def hint(name: str, known: Iterable[str]) -> str:
     """What to say of a `name` that is none of the `known` ones: which was meant, or where to look; "" for neither."""
+    if len(name) > LONGEST_NAME:
+        return ""
     names = {one.lower(): one for one in known}
     lower = name.lower()
     if _MEANT.get(lower) in names:

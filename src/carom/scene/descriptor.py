@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
 #: What stands first in a table, in this order.
 _FIRST = ("version", "kind", "name")
+
+
+#: What no field is by default.
+_WRITTEN = object()
 
 
 class Descriptor(BaseModel):
@@ -22,24 +27,32 @@ class Descriptor(BaseModel):
 
         Fields of its own stand before those that it has from another descriptor.
         """
-        fields = type(self).model_fields
         table = {}
-        for name in sorted(fields, key=self._rank):
-            value, field = getattr(self, name), fields[name]
+        for name, default, written in _fields(type(self)):
+            value = getattr(self, name)
             # By repr, for -0.0 equals 0.0 and is not the same.
-            if name == "kind" or repr(value) != repr(field.default):
+            if value is not default and (name == "kind" or repr(value) != written):
                 table[name] = _plain(value)
         return table
 
-    def _rank(self, field: str) -> int:
-        """Where a field stands in the table."""
-        if field in _FIRST:
-            return _FIRST.index(field)
-        return len(_FIRST) + (field not in type(self).__annotations__)
+
+@cache
+def _fields(kind: type[Descriptor]) -> tuple[tuple[str, Any, str], ...]:
+    """The fields of a descriptor in their order in a table, each with its default and how that is written."""
+
+    def rank(field: str) -> int:
+        return _FIRST.index(field) if field in _FIRST else len(_FIRST) + (field not in kind.__annotations__)
+
+    fields = kind.model_fields
+    # A kind is written always, so it has no default here.
+    return tuple(
+        (name, _WRITTEN if name == "kind" else fields[name].default, repr(fields[name].default))
+        for name in sorted(fields, key=rank)
+    )
 
 
 def _plain(value: Any) -> Any:
     """A field's value as a file holds it."""
-    if isinstance(value, Descriptor):
-        return value.plain()
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+    if isinstance(value, tuple):
+        return [item if type(item) is float else _plain(item) for item in value]
+    return value.plain() if isinstance(value, Descriptor) else value

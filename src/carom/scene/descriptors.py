@@ -5,11 +5,26 @@ Fields bear the names of the constructors' arguments and have their defaults.
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from math import isfinite
+from typing import Any, Literal, Self
+
+from pydantic import model_validator
 
 from carom.rows import ALL_LAYERS
 from carom.scene.descriptor import Descriptor
-from carom.scene.fields import Count, Few, Layers, Many, NonNegative, Positive, Sides, Text, Vector
+from carom.scene.faults import fault_below
+from carom.scene.fields import (
+    Impacts,
+    Iterations,
+    Layers,
+    Levels,
+    NonNegative,
+    Positive,
+    Sides,
+    Substeps,
+    Text,
+    Vector,
+)
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 
@@ -21,13 +36,13 @@ class WorldDescriptor(Descriptor):
     """Acceleration (x, y) of all balls, in length/s²."""
     detection: Literal["discrete", "continuous"] = "discrete"
     """Whether overlaps are found after moving, or times of impact on the way."""
-    substeps: Many = 4
+    substeps: Substeps = 4
     """Motion iterations per step."""
-    iterations: Many = 6
+    iterations: Iterations = 6
     """Collision iterations per substep at most (discrete)."""
     broad_phase: Literal["grid", "quadtree", "brute"] = "grid"
     """How pairs are found; all find the same pairs, faster or slower."""
-    levels: Few = 6
+    levels: Levels = 6
     """Levels of the quadtree, the root included."""
     restitution: Literal["normal", "total"] = "normal"
     """Whether elasticity scales the normal part of a velocity or all of it."""
@@ -42,7 +57,7 @@ class WorldDescriptor(Descriptor):
     substep."""
     max_speed: Positive | None = None
     """A faster ball is slowed to this after a response."""
-    max_impacts: Count = 100_000
+    max_impacts: Impacts = 100_000
     """Impacts of a ball in a substep at most (continuous)."""
     bounds: Sides | None = None
     """Left, bottom, right and top of a box; a ball wholly outside of it is a stray."""
@@ -82,6 +97,14 @@ class BallDescriptor(CollidingDescriptor):
     """How fast it moves, in length/s."""
     mass: Positive = 1.0
     """Its mass; only ratios matter."""
+
+    @model_validator(mode="after")
+    def _can_be_built(self) -> Self:
+        """The descriptor itself, unless no number can hold the ball's box."""
+        x, y = self.position
+        if not isfinite(max(abs(x), abs(y)) + self.radius):
+            raise fault_below(".position", f"must leave the ball's box finite, not {self.position}")
+        return self
 
     def build(self) -> Ball:
         """The ball, in no world."""

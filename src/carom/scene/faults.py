@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, get_args
 
 from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
+from carom.checks import written
 from carom.errors import CaromError, SceneError
+from carom.limits import MOST_FAULTS, REASONS
 from carom.spelling import hint
 
 if TYPE_CHECKING:
     from pydantic import ValidationError
     from pydantic_core import ErrorDetails
+
+#: Characters of a value, or of a strange name, that are shown.
+LONGEST = 60
 
 #: The words for pydantic's types of error. Those not here speak for themselves.
 _WORDS = {
@@ -39,14 +44,44 @@ _WORDS = {
 _WITHOUT_VALUE = {"missing", "extra_forbidden", "union_tag_not_found"}
 
 
-def scene_error(faults: list[str]) -> SceneError:
-    """The error to raise for all `faults` of a scene."""
-    return SceneError(faults[0] if len(faults) == 1 else "\n  ".join([f"{len(faults)} faults", *faults]))
+class Faults:
+    """What is wrong with a `model`, as it is found: the number of faults, and the words of the first ones."""
 
+    def __init__(self, model: type[BaseModel]) -> None:
+        self.model = model
+        self.count = 0
+        self.first: list[str] = []
 
-def faults_of(error: ValidationError, model: type[BaseModel]) -> list[str]:
-    """Every fault that pydantic found in a `model`, as `path: words`, in the order of the scene."""
-    return [_fault(details, model) for details in error.errors(include_url=False)]
+    def add(
+        self, error: ValidationError, *path: int | str, unless: Callable[[ErrorDetails], bool] | None = None
+    ) -> None:
+        """Take in what pydantic found below `path`; a number at its end is that of the first item there."""
+        room = MOST_FAULTS - len(self.first)
+        if unless is None and room == 0:
+            self.count += error.error_count()
+            return
+        found = [details for details in error.errors(include_url=False) if unless is None or not unless(details)]
+        self.count += len(found)
+        self.first += [_fault(details, path, self.model) for details in found[:room]]
+
+    def add_words(self, path: str, words: str) -> None:
+        """Take in one fault."""
+        self.count += 1
+        if len(self.first) < MOST_FAULTS:
+            self.first.append(f"{path}: {words}")
+
+    def join(self, *others: Faults) -> None:
+        """Take in the faults of others, which come after these."""
+        for other in others:
+            self.count += other.count
+            self.first += other.first[: MOST_FAULTS - len(self.first)]
+
+    def error(self) -> SceneError:
+        """The error to raise: the only fault on the first line, or their number, and a line for each of the first."""
+        if self.count == 1:
+            return SceneError(self.first[0])
+        more = [f"and {self.count - len(self.first)} more"] if self.count > len(self.first) else []
+        return SceneError("\n  ".join([f"{self.count} faults", *self.first, *more]))
 
 
 def refused_below(error: CaromError, fields: Iterable[str]) -> PydanticCustomError:
@@ -63,15 +98,19 @@ def fault_below(path: str, words: str) -> PydanticCustomError:
     return PydanticCustomError("below", "{words}", {"path": path, "words": words})
 
 
-def _fault(details: ErrorDetails, model: type[BaseModel]) -> str:
-    """One fault in a `model` as `path: words`."""
+def _fault(details: ErrorDetails, above: tuple[int | str, ...], model: type[BaseModel]) -> str:
+    """One fault as `path: words`, found below `above`; a number at its end is that of the first item there."""
     kind = details["type"]
-    path = path_of(details["loc"])
+    location = (*above, *details["loc"])
+    match above, details["loc"]:
+        case (*steps, int(start)), (int(number), *below):
+            location = (*steps, start + number, *below)
+    path = path_of(location)
     context = details.get("ctx", {})
     if kind == "below":
         return _joined(path + context["path"], context["words"])
     if kind == "extra_forbidden":
-        *place, name = details["loc"]
+        *place, name = location
         return _joined(path, _unknown(str(name), _names_at(model, place)))
     if kind == "union_tag_not_found":
         for name in details["input"]:
@@ -107,6 +146,11 @@ def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
         yield from _models_in(part)
 
 
+def is_unknown(details: ErrorDetails) -> bool:
+    """Whether what is wrong is a name at the top of the scene that there is not."""
+    return details["type"] == "extra_forbidden" and len(details["loc"]) == 1
+
+
 def _joined(path: str, words: str) -> str:
     """`path: words`, or the words alone where the path is the scene itself."""
     path = path.removeprefix(".")
@@ -116,25 +160,26 @@ def _joined(path: str, words: str) -> str:
 def _words(kind: str, details: ErrorDetails) -> str:
     """What is wrong, and the value where it helps."""
     context = details.get("ctx", {})
+    if kind in _WITHOUT_VALUE:
+        return _WORDS[kind]
     value = shortened(details["input"])
     if kind == "union_tag_invalid":
-        return f"must be one of {context['expected_tags']}, not {context['tag']!r}"
+        return f"must be one of {context['expected_tags']}, not {shortened(context['tag'])}"
     if kind == "literal_error":
         return f"must be {context['expected']}, not {value}"
     if kind == "greater_than_equal":
         least = context["ge"]
         return f"must not be negative, not {value}" if least == 0 else f"must be at least {least}, not {value}"
     if kind == "less_than_equal":
-        return f"must be at most {context['le']}, not {value}"
-    if kind not in _WORDS:
-        return details["msg"]
-    return _WORDS[kind] if kind in _WITHOUT_VALUE else f"{_WORDS[kind]}, not {value}"
+        reason = REASONS.get(str(details["loc"][-1]))
+        return f"must be at most {context['le']}{f' ({reason})' if reason else ''}, not {value}"
+    return f"{_WORDS[kind]}, not {value}" if kind in _WORDS else details["msg"]
 
 
 def shortened(value: object) -> str:
     """`value` as it is written, cut where it is long."""
-    written = repr(value)
-    return written if len(written) <= 60 else f"{written[:57]}..."
+    text = written(value, LONGEST)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
 def path_of(location: tuple[int | str, ...]) -> str:
@@ -144,7 +189,7 @@ def path_of(location: tuple[int | str, ...]) -> str:
         if isinstance(step, int):
             path += f"[{step}]"
         elif not _is_tag(location, place):
-            path += f".{step}" if re.fullmatch(r"\w+", step) else f".{step!r}"
+            path += f".{step}" if re.fullmatch(r"\w{1,60}", step) else f".{shortened(step)}"
     return path.removeprefix(".")
 
 

@@ -7,7 +7,9 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
+from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS
 from carom.rows import ALL_LAYERS
+from carom.scene.faults import shortened
 from carom.shapes.aabb import Aabb
 
 
@@ -20,7 +22,7 @@ def _sequence(value: Any, count: int, what: str) -> tuple[Any, ...]:
             items = ()
         if len(items) == count:
             return items
-    raise PydanticCustomError("sequence", "must be {what}, not {value}", {"what": what, "value": repr(value)})
+    raise PydanticCustomError("sequence", "must be {what}, not {value}", {"what": what, "value": shortened(value)})
 
 
 def _as_pair(value: Any) -> tuple[Any, ...]:
@@ -48,9 +50,8 @@ def _writable(text: str) -> str:
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:
-        raise PydanticCustomError(
-            "text", "must be text that UTF-8 can hold, not {value}", {"value": repr(text)}
-        ) from None
+        must = "must be text that UTF-8 can hold, not {value}"
+        raise PydanticCustomError("text", must, {"value": shortened(text)}) from None
     return text
 
 
@@ -62,9 +63,10 @@ def as_tuple(value: Any) -> Any:
 Positive = Annotated[float, Field(gt=0.0)]
 NonNegative = Annotated[float, Field(ge=0.0)]
 Text = Annotated[str, AfterValidator(_writable)]
-Few = Annotated[int, Field(ge=1, le=16)]
-Many = Annotated[int, Field(ge=1, le=1_000_000)]
-Count = Annotated[int, Field(ge=1, le=2**31 - 1)]
+Substeps = Annotated[int, Field(ge=1, le=MOST_SUBSTEPS)]
+Iterations = Annotated[int, Field(ge=1, le=MOST_ITERATIONS)]
+Levels = Annotated[int, Field(ge=1, le=MOST_LEVELS)]
+Impacts = Annotated[int, Field(ge=1, le=MOST_IMPACTS)]
 Layers = Annotated[int, Field(ge=0, le=ALL_LAYERS)]
 Vector = Annotated[tuple[float, float], BeforeValidator(_as_pair)]
 Sides = Annotated[tuple[float, float, float, float], AfterValidator(_in_order), BeforeValidator(_as_sides)]

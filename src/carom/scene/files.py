@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import tomllib
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -15,6 +14,9 @@ from typing import Any, TypeAlias
 import tomli_w
 
 from carom.errors import SceneError
+from carom.limits import LONGEST_FILE
+from carom.scene.scanning import check_json, check_toml
+from carom.scene.toml_runs import read_toml
 
 Plain: TypeAlias = dict[str, Any]
 
@@ -25,8 +27,6 @@ def read_plain(path: str | os.PathLike[str]) -> Plain:
     text = _text_of(path)
     try:
         return read(text)
-    except RecursionError:
-        raise SceneError(f"{os.fspath(path)}: nested too deeply") from None
     except ValueError as error:
         raise SceneError(f"{os.fspath(path)}: {error}") from None
 
@@ -34,8 +34,11 @@ def read_plain(path: str | os.PathLike[str]) -> Plain:
 def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
     """Nothing; writes `table` to a `.toml` or `.json` file, which is either as before or complete, whatever happens."""
     _, write = _form_of(path)
+    data = write(table).encode("utf-8")
+    if len(data) > LONGEST_FILE:
+        raise SceneError(f"{os.fspath(path)}: would be longer than the {LONGEST_FILE} bytes that can be read again")
     try:
-        write_whole(path, write(table).encode("utf-8"))
+        write_whole(path, data)
     except OSError as error:
         raise SceneError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
 
@@ -69,7 +72,11 @@ def _form_of(path: Any) -> tuple[Callable[[str], Plain], Callable[[Plain], str]]
 def _text_of(path: str | os.PathLike[str]) -> str:
     """What stands in a file, without the mark that some editors put before UTF-8."""
     try:
-        return Path(path).read_bytes().decode("utf-8-sig")
+        with Path(path).open("rb") as file:
+            data = file.read(LONGEST_FILE + 1)
+        if len(data) > LONGEST_FILE:
+            raise SceneError(f"{os.fspath(path)}: is longer than {LONGEST_FILE} bytes")
+        return data.decode("utf-8-sig")
     except OSError as error:
         raise SceneError(f"{os.fspath(path)}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
@@ -78,6 +85,7 @@ def _text_of(path: str | os.PathLike[str]) -> str:
 
 def _from_json(text: str) -> Plain:
     """The table that JSON holds; the words NaN and Infinity are read, so that the fault they are gets its path."""
+    check_json(text)
     table = json.loads(text, object_pairs_hook=_without_twins)
     if not isinstance(table, dict):
         raise ValueError(f"must hold one table, not a {type(table).__name__}")
@@ -92,6 +100,12 @@ def _without_twins(pairs: list[tuple[str, Any]]) -> Plain:
             raise ValueError(f"{name!r} stands twice in one table")
         table[name] = value
     return table
+
+
+def _from_toml(text: str) -> Plain:
+    """The table that TOML holds."""
+    check_toml(text)
+    return read_toml(text)
 
 
 def _to_json(table: Plain) -> str:
@@ -112,6 +126,6 @@ def _on_one_line(found: re.Match[str]) -> str:
 
 #: By ending: how to read and how to write.
 _FORMS: dict[str, tuple[Callable[[str], Plain], Callable[[Plain], str]]] = {
-    ".toml": (tomllib.loads, _to_toml),
+    ".toml": (_from_toml, _to_toml),
     ".json": (_from_json, _to_json),
 }

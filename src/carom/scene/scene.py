@@ -3,31 +3,27 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
-from pydantic import BaseModel, BeforeValidator, Field, ValidationError
+from pydantic import BaseModel, ValidationError
 
 from carom.checks import refuse
 from carom.errors import InvalidArgument, SceneError
 from carom.pictured import Pictured
-from carom.scene.capture import described_all, described_world
+from carom.scene.balls import add_balls, described_balls
+from carom.scene.capture import described_world
 from carom.scene.descriptor import Descriptor
-from carom.scene.descriptors import BallDescriptor, WorldDescriptor
-from carom.scene.faults import faults_of, scene_error
+from carom.scene.descriptors import WorldDescriptor
+from carom.scene.faults import Faults, is_unknown
 from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.scene.guarding import guarded
-from carom.scene.shape_descriptors import CompoundDescriptor, Part
+from carom.scene.lists import LISTS, BallList, ShapeList, checked_list, crowd
 
 if TYPE_CHECKING:
     from carom.world.world import World
 
 VERSION = 1
-
-ShapeList = Annotated[
-    tuple[Annotated[Part | CompoundDescriptor, Field(discriminator="kind")], ...], BeforeValidator(described_all)
-]
-BallList = Annotated[tuple[BallDescriptor, ...], BeforeValidator(described_all)]
 
 
 class Scene(Descriptor, Pictured):
@@ -56,10 +52,27 @@ class Scene(Descriptor, Pictured):
 
     def _fill(self, table: Plain) -> None:
         """Nothing; sets the fields to what `table` holds, or raises `SceneError` with all that is wrong in it."""
+        wrong = crowd(table)
+        if wrong:
+            raise SceneError(wrong)
+        in_lists = {field: Faults(type(self)) for field in LISTS}
+        given = {field: table[field] for field in LISTS if isinstance(table.get(field), (list, tuple))}
+        lists = {field: checked_list(field, items, in_lists[field]) for field, items in given.items()}
+        faults, unknown = Faults(type(self)), Faults(type(self))
+        if isinstance(table.get("world"), dict) and (wrong := crowd(table["world"])):
+            faults.add_words("world", wrong)
+            table = table | {"world": {}}
         try:
-            BaseModel.__init__(self, **table)
+            BaseModel.__init__(self, **{name: value for name, value in table.items() if name not in lists})
         except ValidationError as error:
-            raise scene_error(faults_of(error, type(self))) from None
+            faults.add(error, unless=is_unknown)
+            unknown.add(error, unless=lambda details: not is_unknown(details))
+        faults.join(*in_lists.values(), unknown)
+        if faults.count:
+            raise faults.error()
+        # They are checked, and checking them once more would build all shapes again.
+        self.__dict__.update(lists)
+        self.__pydantic_fields_set__.update(lists)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
@@ -89,7 +102,7 @@ class Scene(Descriptor, Pictured):
             raise SceneError(f"world: {error}") from None
         shapes = [descriptor.build() for descriptor in self.shapes]
         world.add(*(guarded(shapes) if self.guard else shapes))
-        world.add(*(ball.build() for ball in self.balls))
+        add_balls(world, self.balls)
         return world
 
     @classmethod
@@ -99,7 +112,7 @@ class Scene(Descriptor, Pictured):
 
         if not isinstance(world, World):
             raise refuse("world", "must be a World", world)
-        return cls(world=described_world(world), shapes=list(world.shapes), balls=list(world.balls))
+        return cls(world=described_world(world), shapes=list(world.shapes), balls=described_balls(world))
 
     @classmethod
     def json_schema(cls) -> Plain:

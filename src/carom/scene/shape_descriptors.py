@@ -146,6 +146,8 @@ Part = Annotated[
     PointDescriptor | SegmentDescriptor | CircleDescriptor | ArcDescriptor | GateDescriptor, Field(discriminator="kind")
 ]
 
+PartList = Annotated[tuple[Part, ...], BeforeValidator(as_tuple)]
+
 #: What a part of a compound does not say for itself.
 PART_IS_SILENT_ON = (*MovingDescriptor.model_fields, "motion", "pivot")
 
@@ -170,7 +172,7 @@ class CompoundDescriptor(MovingDescriptor):
     """The layers that all parts are on."""
     collides_with: Layers | None = None
     """The layers that all parts meet."""
-    shapes: Annotated[tuple[Part, ...], BeforeValidator(as_tuple)]
+    shapes: PartList
     """Its parts, as they lie before it turns; how they move is the compound's to say."""
 
     @field_validator("shapes")

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
+from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS, REASONS
 from carom.rows import Row
 from carom.shapes.aabb import Aabb
 from carom.typing import BroadPhase, Detection, Pair, Restitution, Vector
@@ -96,7 +97,7 @@ def count(default: int, most: int, field: str, doc: str) -> Setting[int, int]:
     """A setting that is a whole number of at least 1."""
 
     def check(name: str, value: Any) -> int:
-        return checks.whole(name, value, 1, most)
+        return checks.whole(name, value, 1, most, REASONS[name])
 
     def write(state: Row, value: int) -> None:
         state[field] = value
@@ -176,12 +177,12 @@ class Settings:
         "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
         " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
     )
-    substeps = count(4, 1_000_000, "substeps", "Motion iterations per step.")
-    iterations = count(6, 1_000_000, "iterations", "Collision iterations per substep at most (discrete).")
+    substeps = count(4, MOST_SUBSTEPS, "substeps", "Motion iterations per step.")
+    iterations = count(6, MOST_ITERATIONS, "iterations", "Collision iterations per substep at most (discrete).")
     broad_phase: Setting[BroadPhase, BroadPhase] = choice(
         "grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs."
     )
-    levels = count(6, 16, "levels", "Levels of the quadtree, the root included.")
+    levels = count(6, MOST_LEVELS, "levels", "Levels of the quadtree, the root included.")
     restitution: Setting[Restitution, Restitution] = choice(
         "normal",
         RESTITUTIONS,
@@ -198,7 +199,7 @@ class Settings:
         "Speed of approach below which an inelastic contact comes to rest; None: twice what gravity adds in a substep.",
     )
     max_speed = optional(None, checks.positive, "max_speed", "A faster ball is slowed to this after a response.")
-    max_impacts = count(100_000, 2**31 - 1, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
+    max_impacts = count(100_000, MOST_IMPACTS, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
     bounds = box("A ball wholly outside of this box is a stray.")
     remove_strays = switch(False, "remove_strays", "Whether strays are removed at the end of the step.")
 
