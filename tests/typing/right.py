@@ -52,6 +52,7 @@ def take(pair: Pair) -> Vector:
     return carom.normalize(carom.perp(carom.parallel_component(pair, pair)))
 
 
+turned: Vector = carom.angle_to_vector(carom.normalize_angle(7.0))
 units: list[Vector] = [take(pair) for pair in pairs]
 ball = carom.Ball(numbers, 1, velocity=array)
 wall = carom.Segment([0, 0], np.array([1, 0]), motion="kinematic")
@@ -183,5 +184,11 @@ try:
     carom.Ball((0, 0), -1)
 except carom.UnknownName as error:
     print(error)
-except carom.CaromError as error:
+except carom.InvalidArgument as error:
     print(error)
+except carom.NonFiniteState as error:
+    print(error.hits)
+except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra) as error:
+    print(error)
+except carom.CaromError as error:
+    print(error, carom.__version__)

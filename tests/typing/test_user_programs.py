@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+import carom
+
 FOLDER = Path(__file__).resolve().parent
 SOURCES = FOLDER.parents[1] / "src"
 RIGHT, WRONG = FOLDER / "right.py", FOLDER / "wrong.py"
@@ -70,6 +72,11 @@ def findings(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
     """What one of the checkers finds."""
     says: Callable[[Path], Findings] = request.param
     return says(tmp_path_factory.mktemp("typing"))
+
+
+def test_the_right_program_uses_every_public_name() -> None:
+    program = RIGHT.read_text(encoding="utf-8")
+    assert [name for name in carom.__all__ if not re.search(rf"\bcarom\.{name}\b", program)] == []
 
 
 @pytest.mark.slow
