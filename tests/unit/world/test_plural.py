@@ -85,6 +85,7 @@ def test_questions_may_be_asked_in_an_if() -> None:
     world.add(carom.Segment((-5, 0), (5, 0)))
     assert world.overlaps()
     assert world.overlaps()[0].ball is ball
+    ball.velocity = (0, -1)
     assert world.step(0.1)
     assert world.nearest([(0, 0)])
     assert not world.nearest(np.zeros((0, 2)))
