@@ -17,13 +17,26 @@ END_DEPTH_CONTINUOUS = 1e-6
 #: leaves no gap at an exact joint. Far above rounding (1e-16), far below anything that is seen.
 END_SLOP = 1e-9
 
-#: Length, default of `guard_points`: ends closer than this are one place. Well above the rounding of coordinates up
-#: to 1e4, well below any gap that is meant.
+#: Share of a length, default of `guard_points`: ends nearer than this part of the shorter shape are one place, whatever
+#: the unit. Well above what a few steps of arithmetic leave (1e-15), well below any gap that is meant.
 GUARD_TOLERANCE = 1e-9
 
-#: Radians, default of `guard_points`: two ends whose outward tangents are opposite within this continue each other.
-#: A joint of 1e-6 rad turns a ball's velocity by less than 1e-6 of its speed.
-GUARD_ANGLE_TOLERANCE = 1e-6
+#: Share of a coordinate, default of `guard_points`: ends are one place, and tangents opposite, within this too, for the
+#: rounding of coordinates moves ends and so turns the shapes between them. Some twenty units in the last place: what a
+#: sine, a turn and a shift leave. Smaller, and far from the origin joints fall apart; larger, and detail is lost there.
+GUARD_ROUNDING = 4e-15
+
+#: Radians, default of `guard_points`: two ends whose outward tangents are opposite within this continue each other and
+#: need no point. Between their slabs there is then a wedge of this angle, as wide as this share of a radius where a
+#: ball touches, and a ball that falls into it would go through: so this must not exceed twice `END_SLOP`, by which
+#: slabs reach past their ends. A larger one has nothing to give: a point at a joint that is bent by more is met in
+#: the wedge alone, where it turns a ball by no more than the bend does.
+GUARD_ANGLE_TOLERANCE = 1e-9
+
+#: Tests of places against shapes that are made at once, and shapes that all places of a box are tested against before
+#: they are divided, when guard points are looked for. Change the speed alone.
+COVER_TESTS = 16384
+COVER_SAMPLE = 8
 
 #: Relative to a shape's size: ends, middle, box and tangent of a shape in a snapshot agree with the rest of it within
 #: this. Sines of another machine differ by 1e-16; nothing that is drawn or met depends on less.

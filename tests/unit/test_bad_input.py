@@ -101,8 +101,8 @@ BAD: dict[str, list[Any]] = {
     "v": NO_VECTORS,
     "w": [*NO_VECTORS, (0, 0)],
     "normalize.v": [*NO_VECTORS, (0, 0), (0.0, -0.0)],
-    "tolerance": [*NO_NUMBERS, -1e-9],
-    "angle_tolerance": [*NO_NUMBERS, -1e-9],
+    "tolerance": [*_some(NO_NUMBERS), -1e-9],
+    "angle_tolerance": [*_some(NO_NUMBERS), -1e-9],
     # where the same name is another thing
     "Compound.pivot": NO_VECTORS,
     "rotate.pivot": NO_VECTORS,

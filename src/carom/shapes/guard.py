@@ -2,67 +2,64 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, insort
+from bisect import bisect_left
 from collections.abc import Hashable, Iterable
-from dataclasses import dataclass
-from itertools import combinations
-from math import atan2, fabs
+from math import floor, ldexp
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.checks import non_negative, refuse
-from carom.constants import GUARD_ANGLE_TOLERANCE, GUARD_TOLERANCE
-from carom.geometry.vector import cross, dot, length
-from carom.rows import KINEMATIC
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
+from carom.constants import GUARD_ANGLE_TOLERANCE, GUARD_ROUNDING, GUARD_TOLERANCE, HALF_PI, ROUNDING, TWO_PI
+from carom.geometry.vector import length
+from carom.rows import ARC, CIRCLE, KINEMATIC, POINT, SEGMENT, SHAPE, Rows
 from carom.shapes.compound import Compound
+from carom.shapes.covering import Reach, covered_places
 from carom.shapes.gate import Gate
 from carom.shapes.point import Point
-from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
-from carom.typing import Vector
-
-
-@dataclass(frozen=True, slots=True)
-class _End:
-    """One end of a segment or arc: its place, and the unit tangent that points out of the shape there."""
-
-    place: Vector
-    outward: Vector
-    shape: Segment | Arc
 
 
 @spelled
 def guard_points(
     shapes: Iterable[Shape | Compound],
-    tolerance: float = GUARD_TOLERANCE,
-    angle_tolerance: float = GUARD_ANGLE_TOLERANCE,
+    tolerance: float | None = None,
+    angle_tolerance: float | None = None,
 ) -> list[Point]:
     """The points that the bare ends of `shapes` need, as new shapes in no world.
 
-    One at each distinct place where a segment or arc ends (ends within `tolerance`, a length, are in one place), except
-    where two of them continue each other smoothly (their outward tangents are opposite within `angle_tolerance`,
-    radians: a point there would make a ball stumble) or where the end lies within another shape: on a segment or arc,
-    on a circle, in a solid one, or at a point. A cusp gets its point.
+    One at each distinct place where a segment or arc ends, except where two of them continue each other (their outward
+    tangents are opposite) or where the end lies within another shape: on a segment or arc, on a circle, in a solid one,
+    or at a point. A cusp gets its point.
 
-    Gates, sensors and shapes whose `can_collide` is off neither need points nor cover an end. Shapes that move
-    differently are looked at apart, for they part. A point has the surface and the motion of the first shape that ends
-    there, as they are now. Raises `InvalidArgument` for what is no shape or compound, and for a negative tolerance.
+    Args:
+        shapes: Shapes, and compounds for their parts. Gates, sensors and shapes whose `can_collide` is off neither need
+            points nor cover an end. Shapes that move differently are looked at apart, for they part.
+        tolerance: A length. Ends this near to each other are in one place, and one this near to a shape lies on it.
+            By default 1e-9 of the length of the shorter shape (`GUARD_TOLERANCE`) and the rounding of coordinates, so
+            that shapes of any size are told apart. Ends that were rounded apart, as in a file, need more.
+        angle_tolerance: Radians by which tangents may fail to be opposite. By default 1e-9 (`GUARD_ANGLE_TOLERANCE`)
+            and what the rounding of coordinates turns them by. A point at a joint that is bent less does no harm: only
+            balls between both shapes meet it. Without one, a joint that is bent more has a gap as wide as the bend.
+
+    Returns:
+        The points, each at the end of the first shape that ends there, with its surface and its motion as they are now.
+
+    Raises:
+        InvalidArgument: For what is no shape or compound, and for a negative tolerance.
 
     >>> from carom import Segment
     >>> [point.position for point in guard_points([Segment((0, 0), (4, 0)), Segment((4, 0), (9, 0))])]
     [(0.0, 0.0), (9.0, 0.0)]
     """
-    gap = non_negative("tolerance", tolerance)
-    bend = non_negative("angle_tolerance", angle_tolerance)
-    groups: dict[Hashable, list[Shape]] = {}
-    for shape in _parts(shapes):
-        if shape.can_collide and not shape.sensor and not isinstance(shape, Gate):
-            groups.setdefault(_motion_of(shape), []).append(shape)
-    return [point for group in groups.values() for point in _guards(group, gap, bend)]
+    gap = None if tolerance is None else non_negative("tolerance", tolerance)
+    bend = None if angle_tolerance is None else non_negative("angle_tolerance", angle_tolerance)
+    walls = [
+        shape for shape in _parts(shapes) if shape.can_collide and not shape.sensor and not isinstance(shape, Gate)
+    ]
+    with np.errstate(over="ignore", invalid="ignore"):  # of the largest numbers, which are then as far apart as can be
+        return _guards(walls, gap, bend) if walls else []
 
 
 def _parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
@@ -90,81 +87,166 @@ def _motion_of(shape: Shape) -> Hashable:
     return turn, shape.velocity
 
 
-def _guards(shapes: list[Shape], gap: float, bend: float) -> list[Point]:
-    """The points for shapes that move alike, in the order in which their ends are found."""
-    boxes = np.array([tuple(shape.aabb) for shape in shapes])
-    return [
-        Point(ends[0].place, **_options(ends[0].shape))
-        for ends in _places(_ends(shapes), gap)
-        if not _is_smooth(ends, gap, bend) and not _is_covered(ends, shapes, boxes, gap)
-    ]
+def _guards(shapes: list[Shape], gap: float | None, bend: float | None) -> list[Point]:
+    """The points for shapes that stop every ball, in the order in which their ends are found."""
+    rows: Rows = np.array([shape._row for shape in shapes], SHAPE)
+    kinds: dict[Hashable, int] = {}
+    motions = np.array([kinds.setdefault(_motion_of(shape), len(kinds)) for shape in shapes])
+    sizes, magnitudes = _sizes(rows), _magnitudes(rows)
+    reach = _reach_of(rows, sizes, magnitudes, gap)
+    turns = _turn_tolerance(sizes, magnitudes) if bend is None else np.full(len(rows), 0.5 * bend)
+    ended = np.flatnonzero((rows["kind"] == SEGMENT) | (rows["kind"] == ARC))
+    owners = np.repeat(ended, 2)
+    x, y, outward = _ends(rows[ended])
+    places, first = _places(x, y, reach.take(owners), magnitudes[owners], motions[owners])
+    short = sizes <= 2.0 * (reach.near + reach.rounding)
+    rough = np.flatnonzero(~_smooth_places(places, len(first), outward, turns[owners], short[owners]))
+    ending = np.full((len(rows), 2), -1)
+    ending[ended] = places.reshape(-1, 2)
+    spots = first[rough]
+    near, there = reach.take(owners[spots]), owners[spots]
+    covered = covered_places(rows, sizes, reach, motions, ending, x[spots], y[spots], near, there, rough)
+    bare = np.sort(spots[~covered])
+    return [Point((float(x[end]), float(y[end])), **_options(shapes[owners[end]])) for end in bare.tolist()]
 
 
-def _ends(shapes: list[Shape]) -> list[_End]:
-    """Both ends of every segment and arc."""
-    ends = []
-    for shape in shapes:
-        if isinstance(shape, Segment):  # its tangents point inwards: each is the outward one of the other end
-            ends += [_End(shape.p0, shape.t1, shape), _End(shape.p1, shape.t0, shape)]
-        elif isinstance(shape, Arc):
-            ends += [_End(shape.p0, shape.t0, shape), _End(shape.p1, shape.t1, shape)]
-    return ends
+# -- tolerances ------------------------------------------------------------------------------------------------------
 
 
-def _places(ends: list[_End], gap: float) -> list[list[_End]]:
-    """The ends by place: each is where the first end is that no earlier place was near to."""
-    places: list[list[_End]] = []
-    sorted_by_x: list[tuple[float, int]] = []
-    for end in ends:
-        near = _place_near(end.place, places, sorted_by_x, gap)
-        if near is None:
-            insort(sorted_by_x, (end.place[0], len(places)))
-            places.append([end])
-        else:
-            near.append(end)
-    return places
+def _sizes(rows: Rows) -> NDArray[np.float64]:
+    """The lengths of segments, arcs and circles; infinite for points, which are as near as the other shape says."""
+    kind = rows["kind"]
+    sweeps = (rows["end_angle"] - rows["start_angle"]) % TWO_PI
+    sizes = np.select([kind == ARC, kind == CIRCLE], [rows["radius"] * sweeps, rows["radius"]], rows["length"])
+    return np.where(kind == POINT, np.inf, np.minimum(sizes, np.finfo(np.float64).max))
 
 
-def _place_near(
-    point: Vector, places: list[list[_End]], sorted_by_x: list[tuple[float, int]], gap: float
-) -> list[_End] | None:
-    """The first place by x that is within `gap` of a point, or None."""
-    x, y = point
-    for i in range(bisect_left(sorted_by_x, (x - gap, -1)), len(sorted_by_x)):
-        near_x, k = sorted_by_x[i]
-        if near_x > x + gap:
-            break
-        if length(x - near_x, y - places[k][0].place[1]) <= gap:
-            return places[k]
-    return None
+def _magnitudes(rows: Rows) -> NDArray[np.float64]:
+    """The largest number of each shape's geometry, by whose rounding its ends may be off."""
+    numbers = [np.abs(rows[name]) for name in ("left", "bottom", "right", "top", "cx", "cy", "radius")]
+    turned = rows["motion"] == KINEMATIC
+    numbers += [np.where(turned, np.abs(rows[name]), 0.0) for name in ("pivot_x", "pivot_y")]
+    return np.asarray(np.max(numbers, axis=0), np.float64)
 
 
-def _is_smooth(ends: list[_End], gap: float, bend: float) -> bool:
-    """Whether two of the ends at one place continue each other."""
-    for one, other in combinations(ends, 2):
-        # Both ends of a shape that is shorter than the tolerance are in one place, and continue nothing.
-        if one.shape is other.shape and one.shape.length <= 2.0 * gap:
-            continue
-        (ax, ay), (bx, by) = one.outward, other.outward
-        if atan2(fabs(cross(ax, ay, bx, by)), -dot(ax, ay, bx, by)) <= bend:
-            return True
+def _reach_of(rows: Rows, sizes: NDArray[np.float64], magnitudes: NDArray[np.float64], gap: float | None) -> Reach:
+    """How near each shape has to be to another to be in one place with it."""
+    if gap is not None:
+        return Reach(np.full(len(rows), gap), np.zeros(len(rows)))
+    return Reach(GUARD_TOLERANCE * sizes, GUARD_ROUNDING * magnitudes)
+
+
+def _turn_tolerance(sizes: NDArray[np.float64], magnitudes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By how much the outward tangent of each shape may be off, so that two add up to the tolerance of a joint."""
+    return 0.5 * GUARD_ANGLE_TOLERANCE + GUARD_ROUNDING * (magnitudes / sizes)
+
+
+# -- ends ------------------------------------------------------------------------------------------------------------
+
+
+def _ends(rows: Rows) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Both ends of every segment and arc: x, y, and the direction out of the shape as an angle from 0 to 2π."""
+    bent = rows["kind"] == ARC
+    straight = np.arctan2(rows["ty"], rows["tx"])
+    outward = np.where(
+        bent,
+        [rows["start_angle"] - HALF_PI, rows["end_angle"] + HALF_PI],
+        [straight + 0.5 * TWO_PI, straight],
+    )
+    x, y = np.stack([rows["ax"], rows["bx"]], axis=1), np.stack([rows["ay"], rows["by"]], axis=1)
+    return x.ravel(), y.ravel(), outward.T.ravel() % TWO_PI
+
+
+def _places(
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    reach: Reach,
+    magnitudes: NDArray[np.float64],
+    motions: NDArray[np.intp],
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """For each end the number of the place that it is in, and for each place its first end.
+
+    An end is in the first place that it is near to, else in a new one. Ends come by the size of what is near to them,
+    the largest first, so that what an end looks for is never farther than what is near to the places there are. Those
+    are filed in cells, a grid for each size, whose cells are 16 times as wide as what is near to their places.
+    """
+    sizes = np.maximum(np.frexp(reach.near + reach.rounding)[1], np.frexp(magnitudes)[1] - 1000)
+    near, rounding, moves = reach.near.tolist(), reach.rounding.tolist(), motions.tolist()
+    points = list(zip(x.tolist(), y.tolist(), strict=True))
+    founders: list[int] = []
+    cells: dict[tuple[int, int, int, int], list[int]] = {}
+    levels: list[int] = []
+    places = np.empty(len(points), np.intp)
+    for end in np.argsort(-sizes, kind="stable").tolist():
+        px, py = points[end]
+        found = len(founders)
+        for level in levels:
+            for column in _cells_near(px, level):
+                for line in _cells_near(py, level):
+                    for place in cells.get((moves[end], level, column, line), ()):
+                        other = founders[place]
+                        far = min(near[end], near[other]) + max(rounding[end], rounding[other])
+                        if place < found and length(px - points[other][0], py - points[other][1]) <= far:
+                            found = place
+        places[end] = found
+        if found == len(founders):
+            founders.append(end)
+            level = int(sizes[end]) + 4
+            if level not in levels:
+                levels.append(level)
+            cell = moves[end], level, floor(ldexp(px, -level)), floor(ldexp(py, -level))
+            cells.setdefault(cell, []).append(found)
+    first = np.full(len(founders), len(points))
+    np.minimum.at(first, places, np.arange(len(points)))
+    return places, first
+
+
+def _cells_near(x: float, level: int) -> Iterable[int]:
+    """The columns of cells, 2^level wide, that hold what is within an eighth of a cell of x."""
+    across = ldexp(x, -level)
+    return range(floor(across - 0.125), floor(across + 0.125) + 1)
+
+
+def _smooth_places(
+    places: NDArray[np.intp],
+    count: int,
+    outward: NDArray[np.float64],
+    turns: NDArray[np.float64],
+    short: NDArray[np.bool_],
+) -> NDArray[np.bool_]:
+    """For each of `count` places, whether two of the ends there continue each other.
+
+    Both ends of a shape that is `short`, no longer than what is near to it, are in one place and continue nothing.
+    """
+    members: list[list[tuple[float, int]]] = [[] for _ in range(count)]
+    for end, (place, angle) in enumerate(zip(places.tolist(), outward.tolist(), strict=True)):
+        members[place].append((angle, end))
+    slack, brief = turns.tolist(), short.tolist()
+    return np.array([_has_smooth_pair(sorted(ends), slack, brief) for ends in members], np.bool_)
+
+
+def _has_smooth_pair(ends: list[tuple[float, int]], turns: list[float], short: list[bool]) -> bool:
+    """Whether two of the ends at one place, sorted by their outward angles, are opposite within their tolerances.
+
+    Of the ends next to the opposite of an end, at most two are no partners of its own: itself and its shape's other
+    end. So three on either side are enough to look at, where tolerances are alike; of unlike ones the larger are those
+    of shapes shorter than rounding lets tell directions apart.
+    """
+    count = len(ends)
+    for angle, end in ends:
+        opposite = (angle + 0.5 * TWO_PI) % TWO_PI
+        begin = bisect_left(ends, (opposite, -1))
+        for step in range(-3, 3) if count > 6 else range(count):
+            other_angle, other = ends[(begin + step) % count]
+            if other == end or (other == end ^ 1 and short[end]):
+                continue
+            off = abs(abs(other_angle - angle) - 0.5 * TWO_PI)
+            if off <= turns[end] + turns[other] + 4.0 * ROUNDING:
+                return True
     return False
 
 
-def _is_covered(ends: list[_End], shapes: list[Shape], boxes: NDArray[np.float64], gap: float) -> bool:
-    """Whether the place of the ends lies within a shape that does not end there."""
-    x, y = ends[0].place
-    left, bottom, right, top = boxes.T
-    near = (left - gap <= x) & (x <= right + gap) & (bottom - gap <= y) & (y <= top + gap)
-    ending = [end.shape for end in ends]
-    for k in np.flatnonzero(near):
-        shape = shapes[k]
-        if any(shape is other for other in ending):
-            continue
-        inside = isinstance(shape, Circle) and shape.solid and shape.contains((x, y))
-        if inside or shape.distance((x, y)) <= gap:
-            return True
-    return False
+# -- points ----------------------------------------------------------------------------------------------------------
 
 
 def _options(shape: Shape) -> ShapeOptions:

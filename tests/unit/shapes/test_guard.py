@@ -122,7 +122,25 @@ def test_the_parts_of_a_compound_are_looked_at_together() -> None:
 
 
 def test_a_segment_shorter_than_the_tolerance_does_not_continue_itself() -> None:
-    assert places([Segment((0, 0), (1e-12, 0))]) == [(0.0, 0.0)]
+    assert places([Segment((0, 0), (1e-12, 0))], tolerance=1e-9) == [(0.0, 0.0)]
+    assert len(places([Segment((0, 0), (1e-12, 0))])) == 2
+
+
+def test_shapes_of_every_size_are_told_apart() -> None:
+    tiny = [Segment((0, 0), (1e-9, 0)), Segment((1e-9, 0), (1e-9, -1e-9))]
+    assert places(tiny) == [(0.0, 0.0), (1e-9, 0.0), (1e-9, -1e-9)]
+    assert places(tiny, tolerance=1e-8) == [(0.0, 0.0)]
+    huge = [Segment((0, 0), (1e12, 0)), Segment((1e12 + 1e2, 0), (1e12, 1e12))]
+    assert places(huge) == [(0.0, 0.0), (1e12, 0.0), (1e12, 1e12)]
+
+
+def test_a_tolerance_of_any_length_is_taken() -> None:
+    corner = [FLOOR, Segment((4, 0), (6, 3))]
+    for tolerance in (0, 5e-324, 1e-300):
+        assert places(corner, tolerance=tolerance) == [(0.0, 0.0), (4.0, 0.0), (6.0, 3.0)]
+    for tolerance in (1e300, 1.7e308):
+        assert places(corner, tolerance=tolerance) == [(0.0, 0.0)]
+    assert places(corner, angle_tolerance=1e308) == [(0.0, 0.0), (6.0, 3.0)]
 
 
 def test_an_arc_that_all_but_closes_continues_itself() -> None:
