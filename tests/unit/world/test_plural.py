@@ -76,7 +76,7 @@ def test_what_numpy_makes_of_rows_is_as_true_as_ever(
 
 def test_questions_may_be_asked_in_an_if() -> None:
     world = carom.World()
-    ball = world.add(carom.Ball((0, 0), 1))
+    ball = world.add(carom.Ball((0, 0.5), 1))
     boxes = np.array([(-1, -1, 1, 1), (5, 5, 6, 6)])
     assert not world.overlaps()
     assert not world.overlapping(boxes[1:])
