@@ -29,4 +29,4 @@ MOST_FAULTS = 40
 #: Bytes of a recording in memory; reading and writing take four times as much.
 LARGEST_RECORDING = 8 * 10**9
 #: Bytes of the list of what is in a recording's file.
-LONGEST_LISTING = 2**16
+LONGEST_LISTING = 2**17

@@ -424,3 +424,18 @@ def test_what_is_crafted_by_chance_is_refused_or_is_a_world_that_goes_on(world: 
             except carom.CaromError:
                 twin.restore(good)
     assert accepted < 60
+
+
+@pytest.mark.parametrize("part", Parts._fields)
+def test_a_table_that_says_it_is_longer_than_the_snapshot_is_refused(world: carom.World, part: str) -> None:
+    parts = taken_apart(world.snapshot())
+    whole = getattr(parts, part)
+    for shape in ((10**12,), (10**12, 0), (0, 10**12), (2**62, 2)):
+        file = io.BytesIO()
+        for name, array in parts._asdict().items():
+            if name == part:
+                header = {"descr": np.lib.format.dtype_to_descr(whole.dtype), "fortran_order": False, "shape": shape}
+                np.lib.format.write_array_header_1_0(file, header)
+            else:
+                np.save(file, array)
+        assert refused(world, sealed(file.getvalue())), shape

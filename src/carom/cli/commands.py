@@ -16,6 +16,7 @@ from carom.cli import files, outputs, report, running
 from carom.cli.mistakes import Mistake
 from carom.cli.sources import Source, find, shipped
 from carom.cli.tally import shares_of
+from carom.limits import LARGEST_RECORDING
 from carom.record import Recorder
 from carom.scene import Scene
 
@@ -28,8 +29,8 @@ if TYPE_CHECKING:
 
 #: Frames a second that are recorded; fewer where the steps are longer.
 FRAMES = 60
-#: What a recording keeps of a ball at each frame, in bytes; and how much in all at most.
-BYTES_OF_BALL, MOST_RECORDED = 100, 8e9
+#: What a recording keeps of a ball at each frame, in bytes, with what is needed to keep it.
+BYTES_OF_BALL = 100
 #: More steps than this in one run are a slip of the keys.
 MOST_STEPS = 10**12
 
@@ -73,7 +74,7 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
 def check_room(frames: int, balls: int, shapes: int) -> None:
     """Nothing; raises `Mistake` where a recording would fill the memory."""
     size = frames * (BYTES_OF_BALL * balls + shapes)
-    if size > MOST_RECORDED:
+    if size > LARGEST_RECORDING:
         raise Mistake(f"a recording of this run would take {size / 1e9:,.0f} GB of memory; make --seconds less")
 
 

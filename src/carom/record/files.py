@@ -13,15 +13,18 @@ import io
 import json
 import os
 import zlib
-from pathlib import Path
+from math import prod
 from typing import TYPE_CHECKING, Any, TypeVar
 from zipfile import ZIP_DEFLATED, BadZipFile, ZipFile, ZipInfo
 
 import numpy as np
 
+from carom.checks import LONGEST_VALUE, written
 from carom.errors import CaromError, RecordingError
+from carom.limits import LARGEST_RECORDING, LONGEST_FILE, LONGEST_LISTING
 from carom.record.check import ARRAYS, COUNTED
 from carom.scene.files import write_whole
+from carom.scene.scanning import check_json
 from carom.scene.scene import Scene
 from carom.world.layout import HIT
 
@@ -48,6 +51,8 @@ def write_recording(recording: Recording, path: str | os.PathLike[str]) -> None:
     file_name = _checked(path)
     try:
         write_whole(path, recording_bytes(recording))
+    except RecordingError as error:
+        raise RecordingError(f"{file_name}: cannot be written: {error}") from None
     except OSError as error:
         raise RecordingError(f"{file_name}: cannot be written: {error.strerror}") from None
 
@@ -55,8 +60,11 @@ def write_recording(recording: Recording, path: str | os.PathLike[str]) -> None:
 def recording_bytes(recording: Recording) -> bytes:
     """The bytes of the file of a recording."""
     memory = io.BytesIO()
+    head = json.dumps(_head(recording), ensure_ascii=False).encode("utf-8", "surrogatepass")
+    _check_size("in words", len(head), LONGEST_FILE)
+    _check_size("in numbers", _size(_head(recording)["lengths"]), LARGEST_RECORDING)
     with ZipFile(memory, "w") as archive:
-        _add(archive, HEAD, json.dumps(_head(recording), ensure_ascii=False).encode("utf-8", "surrogatepass"))
+        _add(archive, HEAD, head)
         for field, (dtype, _) in ARRAYS.items():
             _add(archive, field, _packed(getattr(recording, field), dtype, DIFFERENCES.get(field, 0)))
         rows = np.ascontiguousarray(recording.hits).view("u8").reshape(-1, HIT_WORDS)
@@ -68,18 +76,31 @@ def read_recording(kind: type[R], path: str | os.PathLike[str]) -> R:
     """The recording in a file, of class `kind`; raises `RecordingError`, with the file's name."""
     file_name = _checked(path)
     try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise RecordingError(f"{file_name}: cannot be read: {error.strerror}") from None
-    try:
-        with ZipFile(io.BytesIO(data)) as archive:
+        with _Archive(file_name) as file, ZipFile(file) as archive:
+            file.listing = False
             return kind(**_fields(archive))
+    except OSError as error:
+        raise RecordingError(f"{file_name}: cannot be read: {error.strerror or error}") from None
     except (BadZipFile, zlib.error, EOFError, NotImplementedError) as error:
         raise RecordingError(f"{file_name}: is damaged or no recording: {error}") from None
     except CaromError as error:
         raise RecordingError(f"{file_name}: {error}") from None
     except (ValueError, TypeError, LookupError, RuntimeError, MemoryError, RecursionError, OverflowError) as error:
-        raise RecordingError(f"{file_name}: is no recording: {type(error).__name__}: {error}") from None
+        brief = f"{type(error).__name__}: {error}"[:LONGEST_VALUE]
+        raise RecordingError(f"{file_name}: is no recording: {brief}") from None
+
+
+class _Archive(io.FileIO):
+    """A file whose list of what is in it is read only if it is about as long as that of a recording."""
+
+    listing = True
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if self.listing:
+            wanted = os.fstat(self.fileno()).st_size - self.tell() if size is None or size < 0 else size
+            if wanted > LONGEST_LISTING:
+                raise BadZipFile("too much is in it")
+        return super().read(-1 if size is None else size)
 
 
 def _checked(path: Any) -> str:
@@ -111,19 +132,40 @@ def _head(recording: Recording) -> dict[str, Any]:
 
 def _fields(archive: ZipFile) -> dict[str, Any]:
     """The arguments of a recording, from an archive."""
-    head = json.loads(archive.read(HEAD).decode("utf-8", "surrogatepass"))
+    _check_size("in words", archive.getinfo(HEAD).file_size, LONGEST_FILE)
+    text = archive.read(HEAD).decode("utf-8", "surrogatepass")
+    check_json(text)
+    head = json.loads(text)
     if head["format"] != FORMAT:
-        raise RecordingError(f"has format {head['format']!r}; this version of carom reads {FORMAT}")
+        raise RecordingError(f"has format {written(head['format'], 60)[:60]}; this version of carom reads {FORMAT}")
+    _check_size("in numbers", _size(head["lengths"]), LARGEST_RECORDING)
     fields: dict[str, Any] = {key: head[key] for key in ("name", "about", "statistics")}
     fields["names"] = {int(key): name for key, name in head["names"].items()}
     fields["scene"] = Scene(**head["scene"])
-    for field, (dtype, axes) in ARRAYS.items():
-        shape = tuple(axis if isinstance(axis, int) else head["lengths"][COUNTED[axis]] for axis in axes)
-        size = np.dtype(dtype).itemsize * int(np.prod(shape, dtype=object))
+    for field, (dtype, _) in ARRAYS.items():
+        shape, size = _shape(field, head["lengths"])
         fields[field] = _unpacked(_entry(archive, field, size), dtype, shape, DIFFERENCES.get(field, 0))
     words = _entry(archive, "hits", HIT.itemsize * head["lengths"]["hits"])
     fields["hits"] = np.ascontiguousarray(_unplaned(words).reshape(HIT_WORDS, -1).T).reshape(-1).view(HIT)
     return fields
+
+
+def _shape(field: str, lengths: dict[str, int]) -> tuple[tuple[int, ...], int]:
+    """The shape of an array, and its size in bytes."""
+    dtype, axes = ARRAYS[field]
+    shape = tuple(axis if isinstance(axis, int) else lengths[COUNTED[axis]] for axis in axes)
+    return shape, np.dtype(dtype).itemsize * prod(shape)
+
+
+def _size(lengths: dict[str, int]) -> int:
+    """The size in bytes of all arrays and of the hits."""
+    return sum(_shape(field, lengths)[1] for field in ARRAYS) + HIT.itemsize * lengths["hits"]
+
+
+def _check_size(what: str, size: int, most: int) -> None:
+    """Raise `RecordingError` where a recording takes more than it may."""
+    if size > most:
+        raise RecordingError(f"takes {size} bytes {what}, more than {most}")
 
 
 def _entry(archive: ZipFile, name: str, size: int) -> bytes:

@@ -9,7 +9,7 @@ from math import inf, nan
 from pathlib import Path
 from random import Random
 from typing import Any
-from zipfile import ZIP_STORED, ZipFile
+from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
 import numpy as np
 import pytest
@@ -149,12 +149,12 @@ def head(**values: Any) -> Callable[[bytes], bytes]:
     [
         (files.HEAD, lambda data: b"{", "JSONDecodeError"),
         (files.HEAD, lambda data: b"\xff", "UnicodeDecodeError"),
-        (files.HEAD, lambda data: b"[" * 100_000, "RecursionError"),
+        (files.HEAD, lambda data: b"[" * 100_000, "nested too deeply"),
         (files.HEAD, lambda data: b"[]", "TypeError"),
         (files.HEAD, head(format=2), "has format 2; this version of carom reads 1"),
         (files.HEAD, head(scene={"world": {"gravity": "down"}}), "world.gravity"),
         (files.HEAD, head(scene={"shapes": []}), "shape_ids must name the 0 shapes of the scene"),
-        (files.HEAD, head(lengths={"times": 10**9}), "times must have 8000000000 bytes"),
+        (files.HEAD, head(lengths={"times": 10**6}), "times must have 8000000 bytes"),
         (files.HEAD, head(lengths={"times": -1}), "times must have -8 bytes"),
         (files.HEAD, head(lengths={"times": "x"}), "is no recording"),
         (files.HEAD, head(names={"x": "y"}), "ValueError"),
@@ -255,3 +255,71 @@ def test_a_file_that_cannot_be_written_leaves_what_was_there(
     assert [path.name for path in tmp_path.iterdir()] == ["run.carom"]
     with pytest.raises(carom.RecordingError, match="cannot be written: No such file"):
         recording.save(tmp_path / "missing" / "run.carom")
+
+
+# -- limits ------------------------------------------------------------------------------------------------------------
+
+
+def with_head(path: Path, change: Callable[[dict[str, Any]], object]) -> None:
+    """Change what a file says in words."""
+    with ZipFile(path) as archive:
+        entries = {name: archive.read(name) for name in archive.namelist()}
+    head = json.loads(entries[files.HEAD].decode("utf-8", "surrogatepass"))
+    change(head)
+    entries[files.HEAD] = json.dumps(head).encode()
+    with ZipFile(path, "w") as archive:
+        for name, data in entries.items():
+            archive.writestr(name, data)
+
+
+@pytest.mark.parametrize(("limit", "what"), [("LARGEST_RECORDING", "in numbers"), ("LONGEST_FILE", "in words")])
+def test_a_recording_of_the_largest_size_is_kept_and_a_larger_one_refused(
+    tmp_path: Path, recording: carom.Recording, monkeypatch: pytest.MonkeyPatch, limit: str, what: str
+) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    with ZipFile(path) as archive:
+        words = archive.getinfo(files.HEAD).file_size
+        numbers = sum(entry.file_size for entry in archive.infolist()) - words
+    size = words if limit == "LONGEST_FILE" else numbers
+    monkeypatch.setattr(files, limit, size)
+    recording.save(path)
+    assert same(carom.Recording.load(path), recording)
+    monkeypatch.setattr(files, limit, size - 1)
+    assert refusal(path) == f"{path}: takes {size} bytes {what}, more than {size - 1}"
+    with pytest.raises(carom.RecordingError, match=rf"cannot be written: takes {size} bytes {what}"):
+        recording.save(tmp_path / "other.carom")
+    assert not (tmp_path / "other.carom").exists()
+
+
+@pytest.mark.parametrize("name", ["times", "ids", "shape_ids", "moving", "hits"])
+@pytest.mark.parametrize("count", [10**9, 10**18, 10**4000, -1, 1.5, True, None, "many", [1]])
+def test_a_count_that_is_not_that_of_the_numbers_is_refused(
+    tmp_path: Path, recording: carom.Recording, name: str, count: object
+) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    with_head(path, lambda head: head["lengths"].update({name: count}))
+    assert len(refusal(path)) < 6000
+
+
+@pytest.mark.parametrize("levels", [16, 17, 100_000])
+def test_words_that_are_nested_too_deeply_are_refused(tmp_path: Path, recording: carom.Recording, levels: int) -> None:
+    path = tmp_path / "run.carom"
+    recording.save(path)
+    with ZipFile(path, "w") as archive:
+        archive.writestr(files.HEAD, "[" * levels + "]" * levels)
+    assert ("nested too deeply" in refusal(path)) == (levels > 16)
+
+
+def test_a_bomb_is_not_set_off(tmp_path: Path) -> None:
+    """Words that pack to a thousandth, entries by the hundred thousand: refused before they are unpacked."""
+    words, entries = tmp_path / "words.carom", tmp_path / "entries.carom"
+    with ZipFile(words, "w", ZIP_DEFLATED) as archive, archive.open(files.HEAD, "w") as file:
+        for _ in range(100):
+            file.write(b" " * 2**20)
+    assert "bytes in words, more than" in refusal(words)
+    with ZipFile(entries, "w") as archive:
+        for number in range(5000):
+            archive.writestr(str(number), b"")
+    assert "too much is in it" in refusal(entries)
