@@ -13,10 +13,11 @@ import importlib.util
 import inspect
 import os
 import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -77,6 +78,9 @@ Kernel = Callable[..., Any]
 
 #: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.
 _OPTIONS = {"nogil": True, "error_model": "numpy"}
+
+#: Seconds between two lines about compiling where stderr is no terminal.
+INTERVAL = 5.0
 
 _loaded: dict[str, Kernel] = {}
 
@@ -187,16 +191,17 @@ def _told(numba: Any, function: Kernel) -> Kernel:
     """The function, which on its first call is compiled, and tells on stderr how far that is and how long it took."""
 
     def first_call(*arguments: Any) -> Any:
-        teller = _Teller(function.__name__)
         kernel = _cached(numba, function)
-        with numba.core.event.install_listener("numba:compile", teller.listener(numba)):
+        with (
+            _Teller(function.__name__) as teller,
+            numba.core.event.install_listener("numba:compile", teller.listener(numba)),
+        ):
             try:
                 result = kernel(*arguments)
             except Exception:  # noqa: BLE001  # whatever reading and writing pickled code may raise
                 # The disk is full, or what was kept there is damaged. Nothing has run yet: kernels raise nothing.
                 kernel = _uncached(numba, function)
                 result = kernel(*arguments)
-        teller.done()
         _loaded.update({key: kernel for key, value in _loaded.items() if value is first_call})
         return result
 
@@ -204,13 +209,45 @@ def _told(numba: Any, function: Kernel) -> Kernel:
 
 
 class _Teller:
-    """Counts the functions that Numba compiles and writes a line about it, if it has to compile at all."""
+    """While entered, counts the functions that Numba compiles and tells of it, if it has to compile at all.
+
+    On a terminal one line says how far it is. Anywhere else that would be nothing but control characters, so there a
+    line of its own says it every `INTERVAL` seconds: a log that stands still looks like a program that does.
+    """
 
     def __init__(self, name: str) -> None:
-        self.name = name.replace("_", " ")
-        self.total = len(_registered)
-        self.seen: set[str] = set()
-        self.began = time.perf_counter()
+        self._name = name.replace("_", " ")
+        self._seen: set[str] = set()
+        self._over = threading.Event()
+        self._terminal = sys.stderr is not None and sys.stderr.isatty()
+
+    def __enter__(self) -> Self:
+        self._began = time.perf_counter()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        self._over.set()
+        if not self._seen:
+            return
+        if kind is None:
+            seconds = time.perf_counter() - self._began
+            self._say(f"{self._start}carom: compiled {self._name} in {seconds:.1f} s")
+        elif self._terminal:
+            self._say("")
+
+    @property
+    def _start(self) -> str:
+        """What a line begins with that takes the place of the one before, where it can."""
+        return "\r" if self._terminal else ""
+
+    def _far(self) -> str:
+        """How far it is."""
+        return f"{len(self._seen)} of about {len(_registered)} functions"
+
+    def _say(self, text: str, end: str = "\n") -> None:
+        """Write to stderr, which a program without a console has not."""
+        if sys.stderr is not None:
+            print(text, end=end, file=sys.stderr, flush=True)
 
     def listener(self, numba: Any) -> Any:
         """A Numba listener that reports to this teller."""
@@ -227,16 +264,18 @@ class _Teller:
 
     def see(self, function: str) -> None:
         """Take note of one more function being compiled."""
-        first = not self.seen
-        self.seen.add(function)
+        first = not self._seen
+        self._seen.add(function)
         if first:
-            print(f"carom: compiling {self.name}, once on this machine ...", file=sys.stderr, flush=True)
-        if sys.stderr.isatty():
-            print(f"\rcarom: {len(self.seen)} of about {self.total} functions", end="", file=sys.stderr, flush=True)
+            self._say(f"carom: compiling {self._name}, once on this machine ...")
+        if self._terminal:
+            self._say(f"\rcarom: {self._far()}", end="")
+        elif first:
+            # A thread of its own: the last and longest part of the work is a single call.
+            threading.Thread(target=self._tell_on, name="carom-compiling", daemon=True).start()
 
-    def done(self) -> None:
-        """Say how long it took, if anything was compiled."""
-        if self.seen:
-            start = "\r" if sys.stderr.isatty() else ""
-            seconds = time.perf_counter() - self.began
-            print(f"{start}carom: compiled {self.name} in {seconds:.1f} s", file=sys.stderr, flush=True)
+    def _tell_on(self) -> None:
+        """Say that it goes on, every few seconds until it is over."""
+        while not self._over.wait(INTERVAL):
+            seconds = time.perf_counter() - self._began
+            self._say(f"carom: compiling {self._name}: {self._far()}, {seconds:.0f} s")
