@@ -101,6 +101,7 @@ def test_newton_s_cradle_passes_a_swing_on_whole() -> None:
     assert [ball.velocity for ball in balls] == [(0, 0)] * 4 + [(2, 0)]
 
 
+@pytest.mark.compiled
 def test_the_gas_keeps_its_energy() -> None:
     world = scenes.gas(balls=200).build()
     total = energy(world)

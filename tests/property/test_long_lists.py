@@ -1,14 +1,16 @@
 """The quick ways with long lists do what the slow ways do: the same scenes, worlds and faults, to the bit and word."""
 
+import re
 import tomllib
 from typing import Any
 
 import pytest
+import tomli_w
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import carom
-from carom.scene import lists, scene, toml_runs
+from carom.scene import files, lists, scene, toml_runs
 from carom.scene.balls import GIVEN, SET
 from carom.scene.capture import described
 from carom.scene.descriptors import BallDescriptor
@@ -55,6 +57,13 @@ def test_a_ball_that_no_number_can_hold_is_a_fault_of_the_scene() -> None:
         carom.SceneError, match=r"^balls\[0\]\.position: must leave the ball's box finite, not \(1e\+308"
     ):
         carom.Scene(balls=[{"position": (1e308, 0), "radius": 1e308}])
+
+
+@given(tables_of_scenes)
+def test_a_scene_is_written_as_by_the_slow_writer(table: dict[str, Any]) -> None:
+    plain = carom.Scene(**table).plain()
+    slow = re.sub(r"\[\n((?: *[-+.\w]+,\n)+) *\]", files._on_one_line, tomli_w.dumps(plain))
+    assert files._to_toml(plain) == slow
 
 
 lines = st.sampled_from(

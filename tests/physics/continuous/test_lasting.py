@@ -91,7 +91,7 @@ def test_the_period_of_a_small_swing_is_that_of_a_pendulum() -> None:
     assert abs(ball.velocity[0]) < 1e-3 * 1e-3 * sqrt(G * 1.7)
 
 
-@pytest.mark.parametrize("substeps", [1, 4])
+@pytest.mark.parametrize("substeps", [1, pytest.param(4, marks=pytest.mark.compiled)])
 def test_a_ball_circles_without_gravity_at_its_speed(substeps: int) -> None:
     world = world_of(Circle((1, 2), 2), gravity=(0, 0), substeps=substeps)
     ball = world.add(Ball((1 + 1.7, 2), 0.3, velocity=(0, 3), elasticity=0.5))
@@ -116,6 +116,7 @@ def test_a_ball_that_slides_down_a_dome_leaves_it_at_two_thirds_of_its_height(fi
     assert energy(world, ball) == pytest.approx(before, rel=1e-9)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(("speed", "round_it_goes"), [(5.0, False), (8.9, False), (9.45, False), (9.55, True)])
 def test_a_loop_is_run_through_by_a_ball_that_is_fast_enough(speed: float, round_it_goes: bool) -> None:
     rho = 1.8
@@ -159,6 +160,7 @@ def test_a_ball_rolls_off_the_end_of_a_floor(guarded: bool) -> None:
         assert ball.position[0] > 0.5
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("gravity", [(0.0, -G), (0.0, 0.0)])
 def test_a_thousand_tangent_pieces_are_one_way(gravity: tuple[float, float]) -> None:
     pieces: list[Shape] = [Segment((0.01 * k, 0), (0.01 * (k + 1), 0)) for k in range(1000)]
@@ -247,7 +249,10 @@ def box(width: float, height: float) -> list[Shape]:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize(("count", "elasticity"), [(10, 0.0), (10, 0.5), (25, 0.5), (25, 0.8)])
+@pytest.mark.parametrize(
+    ("count", "elasticity"),
+    [(10, 0.0), (10, 0.5), *[pytest.param(25, e, marks=pytest.mark.slow) for e in (0.5, 0.8)]],
+)
 def test_a_pile_of_balls_settles(count: int, elasticity: float) -> None:
     rng = np.random.default_rng(1)
     world = world_of(*box(3.2, 12))
@@ -264,6 +269,7 @@ def test_a_pile_of_balls_settles(count: int, elasticity: float) -> None:
     assert apart.min() > 0.5 * (1 - 1e-3)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9])
 def test_balls_on_top_of_each_other_stay(elasticity: float) -> None:
     world = world_of(Segment((-5, 0), (5, 0)))
