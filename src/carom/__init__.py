@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from carom.errors import (
     CaromError,
     InvalidArgument,
+    LostObject,
     MissingExtra,
     NonFiniteState,
     RecordingError,
@@ -63,6 +64,7 @@ __all__ = [
     "Hits",
     "InvalidArgument",
     "Line",
+    "LostObject",
     "MissingExtra",
     "Motion",
     "Neighbor",

@@ -39,5 +39,9 @@ class NonFiniteState(CaromError, ValueError):
     """A world's state holds NaN or infinity; the message names the balls."""
 
 
+class LostObject(CaromError, LookupError):
+    """A hit or an answer names what is not at hand: it left the world for good, or the world was not pickled along."""
+
+
 class MissingExtra(CaromError, ImportError):
     """A package is not installed; the message says what needs it, and what to install."""

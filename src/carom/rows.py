@@ -111,6 +111,8 @@ SHAPE = np.dtype(
         ("initial_end_angle", "f8"),
         ("initial_pivot_x", "f8"),
         ("initial_pivot_y", "f8"),
+        ("hinge_x", "f8"),  # the place in the initial geometry that is at the pivot: the initial pivot, unless rotated
+        ("hinge_y", "f8"),  # about another one since
         # motion
         ("pivot_x", "f8"),
         ("pivot_y", "f8"),

@@ -76,13 +76,7 @@ def _described_compound(compound: Compound) -> CompoundDescriptor:
 def _unturned(shape: Shape) -> Shape:
     """A lone copy of `shape` before it turned, which stands where the pivot is now."""
     lone = copy(shape)
-    to_x, to_y = lone.pivot
-    lone.reset()
-    from_x, from_y = lone.pivot
-    if (from_x, from_y) != (to_x, to_y):
-        x, y = lone.position
-        lone.position = (x + (to_x - from_x), y + (to_y - from_y))
-        lone.pivot = (to_x, to_y)
+    lone._write(lone._turned("orientation", 0.0, *lone.pivot, 0.0))
     return lone
 
 

@@ -167,6 +167,7 @@ class Compound(Group):
         for field in _MOTION:
             row[field] = center[field]
         row["orientation"] = center["orientation"]
+        row["hinge_x"], row["hinge_y"] = center["hinge_x"], center["hinge_y"]
         row["pivot_x"], row["pivot_y"] = center["pivot_x"], center["pivot_y"]
         return shape._posed(row, name, shape)
 

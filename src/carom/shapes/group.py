@@ -43,8 +43,8 @@ class Group(Spelled):
         x, y = pair("position", value)
         from_x, from_y = self.position
         pivot_x, pivot_y = self.pivot
-        pivot = x + (pivot_x - from_x), y + (pivot_y - from_y)
-        places = [(x + (part.position[0] - from_x), y + (part.position[1] - from_y)) for part in self._parts]
+        pivot = pivot_x + (x - from_x), pivot_y + (y - from_y)
+        places = [(part.position[0] + (x - from_x), part.position[1] + (y - from_y)) for part in self._parts]
         self._write([part._moved("position", value, p, pivot) for part, p in zip(self._parts, places, strict=True)])
 
     @property
@@ -56,7 +56,8 @@ class Group(Spelled):
     def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         rows = [part._hung("pivot", value, x, y) for part in self._parts]
-        rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
+        if (x, y) != self.pivot:
+            rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
         self._write(rows)
 
     @property
@@ -69,9 +70,9 @@ class Group(Spelled):
         self._turn("orientation", value, *self.pivot)
 
     def rotate(self, pivot: Pair, angle: float) -> None:
-        """Nothing; turns all parts from their initial geometry by `angle` radians about `pivot`, the new pivot.
+        """Turn all parts from their initial geometry by `angle` radians about `pivot`, which becomes the pivot.
 
-        Raises `InvalidArgument` for an angle beyond the turn limits.
+        What has travelled is turned where it is. Raises `InvalidArgument` for an angle beyond the turn limits.
         """
         self._turn("angle", angle, *pair("pivot", pivot))
 
@@ -81,7 +82,7 @@ class Group(Spelled):
         self._write([part._turned(name, value, x, y, angle) for part in self._parts])
 
     def reset(self) -> None:
-        """Nothing; restores the initial geometry of all parts, and the initial pivot, bit for bit."""
+        """Restore the initial geometry of all parts, and the initial pivot, bit for bit, and with them their place."""
         self._write([part._restored() for part in self._parts])
 
     def _write(self, rows: list[Row]) -> None:

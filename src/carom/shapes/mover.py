@@ -99,12 +99,19 @@ class Mover(Member):
         return row
 
     def _turned(self, name: str, value: object, x: float, y: float, angle: float) -> Row:
-        """A copy of the row with its initial geometry turned by `angle` about (x, y); raises where that fails."""
+        """A copy of the row with its initial geometry turned by `angle` about (x, y); raises where that fails.
+
+        What has travelled since takes its initial geometry along, and its pivot has the same place in that until
+        another pivot is given: so to turn it to where it is turned already changes nothing.
+        """
         row = self._row.copy()
         low, high = float(row["turn_low"]), float(row["turn_high"])
         if row["turn_limited"] and not low <= angle <= high:
             raise refuse(name, f"must be within turn_limits={(low, high)}", value)
-        row["initial_pivot_x"], row["initial_pivot_y"] = row["pivot_x"], row["pivot_y"] = x, y
+        if (row["pivot_x"], row["pivot_y"]) != (x, y):
+            row["hinge_x"] = x - (float(row["pivot_x"]) - float(row["hinge_x"]))
+            row["hinge_y"] = y - (float(row["pivot_y"]) - float(row["hinge_y"]))
+            row["pivot_x"], row["pivot_y"] = x, y
         row["orientation"] = angle
         return self._posed(row, name, value)
 
@@ -139,7 +146,7 @@ class Mover(Member):
         pivot_x, pivot_y = self.pivot
         # A pivot that is the position is to stay so to the bit, although rounding may put a segment's beside `value`.
         centred = (pivot_x, pivot_y) == (from_x, from_y)
-        pivot = None if centred else (x + (pivot_x - from_x), y + (pivot_y - from_y))
+        pivot = None if centred else (pivot_x + (x - from_x), pivot_y + (y - from_y))
         self._write(self._moved(name, value, (x, y), pivot))
 
     @property
@@ -160,10 +167,11 @@ class Mover(Member):
         return float(self._row["orientation"])
 
     def rotate(self, pivot: Pair, angle: float) -> None:
-        """Nothing; turns the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
+        """Turn the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
 
-        Always from the initial geometry, so a million small turns accumulate no drift. Raises `InvalidArgument` for a
-        static shape, a part of a compound, and an angle beyond the turn limits.
+        Always from the initial geometry, so a million small turns accumulate no drift; a shape that has travelled is
+        turned where it is. Raises `InvalidArgument` for a static shape, a part of a compound, and an angle beyond the
+        turn limits.
 
         >>> import carom
         >>> hand = carom.Segment((0, 0), (2, 0), motion="kinematic")
@@ -179,13 +187,14 @@ class Mover(Member):
         self._write(self._turned("angle", angle, x, y, turn))
 
     def reset(self) -> None:
-        """Nothing; restores the initial geometry and pivot, bit for bit. What moves the shape stays set."""
+        """Restore the initial geometry and pivot, bit for bit, and with them its place. What moves it stays set."""
         self._refuse_part("reset", self)
         self._write(self._restored())
 
     def _restored(self) -> Row:
         """A copy of the row at its initial geometry and pivot."""
         row = self._row.copy()
+        row["hinge_x"], row["hinge_y"] = row["initial_pivot_x"], row["initial_pivot_y"]
         row["pivot_x"], row["pivot_y"] = row["initial_pivot_x"], row["initial_pivot_y"]
         row["orientation"] = 0.0
         return self._posed(row, "reset", None)

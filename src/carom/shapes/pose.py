@@ -92,6 +92,8 @@ def set_initial(shape: Row) -> None:
     shape["initial_end_angle"] = shape["end_angle"]
     shape["initial_pivot_x"] = shape["pivot_x"]
     shape["initial_pivot_y"] = shape["pivot_y"]
+    shape["hinge_x"] = shape["pivot_x"]
+    shape["hinge_y"] = shape["pivot_y"]
     shape["orientation"] = 0.0
     set_before(shape)
     shape["spin"] = 0.0
@@ -105,11 +107,11 @@ def set_before(shape: Row) -> None:
 
 
 def pose(shape: Row) -> None:
-    """Nothing; puts the shape where orientation and pivot say: pivot + R(orientation)·(initial - initial pivot).
+    """Nothing; puts the shape where orientation and pivot say: pivot + R(orientation)·(initial - hinge).
 
     Always from the initial geometry, so turns accumulate no drift. At orientation 0 the shape is its initial geometry
-    moved by the pivot's way, which is that geometry bit for bit where the pivot has not moved. An orientation that has
-    overflowed, whose sine nobody knows, makes the box infinite, by which a world sees it.
+    moved by the way from hinge to pivot, which is that geometry bit for bit where the pivot is at the hinge. An
+    orientation that has overflowed, whose sine nobody knows, makes the box infinite, by which a world sees it.
     """
     turn = float(shape["orientation"])
     if turn - turn != 0.0:
@@ -126,9 +128,9 @@ def pose(shape: Row) -> None:
 
 
 def _shift(shape: Row) -> None:
-    """Nothing; the initial geometry moved as far as the pivot has moved."""
-    x = float(shape["pivot_x"]) - float(shape["initial_pivot_x"])
-    y = float(shape["pivot_y"]) - float(shape["initial_pivot_y"])
+    """Move the initial geometry as far as the pivot has moved from the hinge."""
+    x = float(shape["pivot_x"]) - float(shape["hinge_x"])
+    y = float(shape["pivot_y"]) - float(shape["hinge_y"])
     if shape["kind"] == SEGMENT or shape["kind"] == GATE:
         shape["ax"] = float(shape["initial_ax"]) + x
         shape["ay"] = float(shape["initial_ay"]) + y
@@ -143,7 +145,7 @@ def _shift(shape: Row) -> None:
 
 def _turn(shape: Row, c: float, s: float) -> None:
     """Nothing; the initial geometry turned by the angle of cosine c and sine s, then moved with the pivot."""
-    from_x, from_y = float(shape["initial_pivot_x"]), float(shape["initial_pivot_y"])
+    from_x, from_y = float(shape["hinge_x"]), float(shape["hinge_y"])
     to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
     if shape["kind"] == SEGMENT or shape["kind"] == GATE:
         x, y = rotated(float(shape["initial_ax"]) - from_x, float(shape["initial_ay"]) - from_y, c, s)
