@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from copy import copy
-from typing import Any
+from typing import Any, Self
 
 from carom.checks import flag, layers, non_negative, pair, refuse, text_or_none
 from carom.geometry.vector import length
 from carom.rows import KINEMATIC, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
+from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.detection import Contact
 from carom.shapes.group import Group
 from carom.shapes.point import Point
@@ -24,6 +25,9 @@ _SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_wi
 
 #: The fields of a part that its compound says, besides its pose.
 _MOTION = ("angular_velocity", "rotating", "turn_limited", "turn_low", "turn_high", "velocity_x", "velocity_y")
+
+#: The attributes of a compound that are no user's.
+_OWN = ("_name", "_parts", "_surface", "user")
 
 
 def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
@@ -228,19 +232,25 @@ class Compound(Group):
     # -- copies: lone, with copies of the parts ----------------------------------------------------------------------
 
     def __getstate__(self) -> Any:
-        """The parts, what was set on all of them, the name and the user's own data."""
-        return self._parts, self._surface, self._name, self.user
+        """The parts, what was set on all of them, the name, the user's own data, and what a subclass of his adds."""
+        return self._parts, self._surface, self._name, self.user, added_attributes(self, _OWN)
 
     def __setstate__(self, state: Any) -> None:
-        """Nothing; a lone compound with the state that `__getstate__` gave."""
-        parts, surface, self._name, self.user = state
+        """Make this a compound with the state that `__getstate__` gave."""
+        parts, surface, self._name, self.user, added = state
         self._parts, self._surface = list(parts), dict(surface)
         for part in self._parts:
             part._compound = self
+        add_attributes(self, added)
 
-    def __copy__(self) -> Compound:
-        twin = Compound.__new__(Compound)
-        twin.__setstate__(([copy(part) for part in self._parts], self._surface, self._name, self.user))
+    def __copy__(self) -> Self:
+        return self._like([copy(part) for part in self._parts])
+
+    def _like(self, parts: list[Shape]) -> Self:
+        """A compound of other parts that is this one in all else."""
+        twin = type(self).__new__(type(self))
+        _, *others = self.__getstate__()
+        twin.__setstate__((parts, *others))
         return twin
 
 

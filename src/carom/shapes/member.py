@@ -11,6 +11,7 @@ from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.geometry.vector import length
 from carom.rows import KIND_NAMES, Motion, Row
 from carom.shapes.aabb import Aabb
+from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.table import Home, Table
 from carom.spelling import Spelled
 from carom.typing import Pair, Vector
@@ -30,6 +31,7 @@ class Member(Spelled, ABC):
     __slots__ = ("__weakref__", "_id", "_index", "_name", "_table", "_world", "user")
 
     _KIND: ClassVar[int]
+    _OWN: ClassVar[tuple[str, ...]] = __slots__
     _DTYPE: ClassVar[np.dtype[Any]]
 
     _id: int | None
@@ -110,18 +112,29 @@ class Member(Spelled, ABC):
         self._row[field] = value
         self._change()
 
-    # -- copies: always lone, whatever the original is in ------------------------------------------------------------
+    # -- copies: lone, whatever the original is in; the copy of a world takes in those that were copied with it ------
 
     def __getstate__(self) -> Any:
         """The row (an array of shape (1,)), the name, the user's own data, and what a subclass of the user's adds."""
-        return np.array([self._lone_row()], self._DTYPE), self._name, self.user, getattr(self, "__dict__", {})
+        added = added_attributes(self, self._OWN)
+        return np.array([self._lone_row()], self._DTYPE), self._name, self.user, added
 
     def __setstate__(self, state: Any) -> None:
-        """Nothing; a lone member with the state that `__getstate__` gave."""
+        """Make this a member with the state that `__getstate__` gave: a lone one, unless a world has it already.
+
+        The copy of a world takes the copies of its members in before they have a state, where their own data leads to
+        the world.
+        """
         rows, name, user, *added = state
-        self._begin(rows[0], name, user)
-        for attributes in filter(None, added):
-            self.__dict__.update(attributes)
+        if getattr(self, "_world", None) is None:
+            self._begin(rows[0], name, user)
+        self.user = user
+        for attributes in added:
+            add_attributes(self, attributes)
+
+    def _rejoin(self, world: Home, table: Table, member_id: int) -> None:
+        """Make this, which need not have a state yet, the object of the row with that id, where its original was."""
+        self._table, self._index, self._id, self._world = table, -1, member_id, world
 
     # -- what every shape and ball has -------------------------------------------------------------------------------
 

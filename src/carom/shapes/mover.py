@@ -30,19 +30,25 @@ class Mover(Member):
 
     __slots__ = ("_compound",)
 
+    _OWN: ClassVar[tuple[str, ...]] = (*Member._OWN, *__slots__)
     _DTYPE: ClassVar[np.dtype[Any]] = SHAPE
 
     _compound: Compound | None
 
     def _begin(self, row: Row, name: str | None, user: Any) -> None:
         super()._begin(row, name, user)
-        self._compound = None
+        # The copy of a compound claims the copies of its parts, maybe before they have a state.
+        self._compound = getattr(self, "_compound", None)
 
     @classmethod
     def _of_row(cls, world: Home, table: Table, member_id: int, index: int = -1) -> Self:
         member = super()._of_row(world, table, member_id, index)
         member._compound = None
         return member
+
+    def _rejoin(self, world: Home, table: Table, member_id: int) -> None:
+        super()._rejoin(world, table, member_id)
+        self._compound = getattr(self, "_compound", None)
 
     # -- changes -----------------------------------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.errors import LostObject
 from carom.shapes.detection import Contact
 from carom.typing import Vector
 from carom.world.plural import Plural
@@ -137,7 +138,7 @@ class Answers(Plural[T]):
     """The answers to many queries, in their order: a structured array whose items are objects, or None.
 
     It is false where there are no rows; `found` says which queries found something. Objects are looked up when an item
-    is asked for; it is a `LookupError` where one has left the world for good.
+    is asked for; it is a `LostObject` where one has left the world for good.
     """
 
     def __repr__(self) -> str:
@@ -151,8 +152,6 @@ class Answers(Plural[T]):
         return np.asarray(self.view(np.ndarray)["shape"] != 0)
 
     def _item(self, row: Any) -> T:
-        if self._world is None:
-            raise LookupError("these answers have lost their world (they were pickled or copied); read them as arrays")
         return self._object(self._world, row)
 
     def _object(self, world: World, row: Any) -> T:
@@ -238,7 +237,7 @@ def _member(world: World, member_id: int) -> Any:
     """The shape or ball with an id, which may have left the world since, if someone keeps it."""
     member = world._object_of_hit(member_id, None)
     if member is None:
-        raise LookupError(f"what has the id {member_id} has left the world; read these answers as arrays")
+        raise LostObject(f"what has the id {member_id} has left the world; read these answers as arrays")
     return member
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from typing import Any
 from weakref import WeakValueDictionary
 
 from carom.rows import Rows
@@ -18,18 +19,36 @@ class Departed:
 
     def __init__(self) -> None:
         self._known: WeakValueDictionary[int, Shape | Ball] = WeakValueDictionary()
-        self._before: list[Shape | Ball] = []
-        self._now: list[Shape | Ball] = []
+        self._before: dict[int, Shape | Ball] = {}
+        self._now: dict[int, Shape | Ball] = {}
+
+    def __getstate__(self) -> Any:
+        """Those that are known, and which of them are kept."""
+        return dict(self._known), list(self._before.values()), list(self._now.values())
+
+    def __setstate__(self, state: Any) -> None:
+        """Make this the copy of what gave that state."""
+        known, before, now = state
+        self._known = WeakValueDictionary(known)
+        self._before = {id(member): member for member in before}
+        self._now = {id(member): member for member in now}
 
     def add(self, member_id: int, member: Shape | Ball) -> None:
         """Nothing; keeps an object that has left."""
         self._known[member_id] = member
-        self._now.append(member)
+        self._now[id(member)] = member
+
+    def has_just_left(self, member: object) -> bool:
+        """Whether hits that are at hand may name what has left: it left since the last step or run, or the one before.
+
+        What they name of balls that no one had asked for until then counts too.
+        """
+        return id(member) in self._now or id(member) in self._before
 
     def forget_oldest(self) -> None:
         """Nothing; a new step or run begins, and hits from before the last one are not at hand any more."""
         if self._now or self._before:
-            self._before, self._now = self._now, []
+            self._before, self._now = self._now, {}
 
     def find(self, member_id: int, rows: Rows | None = None) -> Shape | Ball | None:
         """What left with an id: its object, or one that is made of its row among `rows`; None if it is not known."""
@@ -38,7 +57,8 @@ class Departed:
             ball = Ball.__new__(Ball)
             ball.__setstate__((rows[rows["id"] == member_id], None, None))
             ball._leave()
-            self._known[member_id] = member = ball
+            self.add(member_id, ball)
+            member = ball
         return member
 
     def keep_balls(self, rows: Rows) -> None:
@@ -46,4 +66,4 @@ class Departed:
         for ball in rows["id"]:
             member = self.find(int(ball), rows)
             if member is not None:
-                self._now.append(member)
+                self._now[id(member)] = member

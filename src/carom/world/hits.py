@@ -64,6 +64,8 @@ class Hits(Plural[Hit]):
 
     `hits["speed"]`, masks and slices work as with any structured array (the fields are those of `Hit`, with ids for
     `ball` and `shape`); iterating and single indices give `Hit` objects. It is false where there was no hit.
+    Copied or pickled together with the world, these are hits of the new world; hits pickled alone raise `LostObject`
+    where objects are asked for.
     """
 
     DTYPE = HIT
@@ -74,7 +76,7 @@ class Hits(Plural[Hit]):
     def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Hits:
         """Hits of a world from rows of dtype `HIT`; `gone` holds the rows of balls that were removed meanwhile."""
         hits = rows.view(cls)
-        hits._world = world
+        hits._link = world._link
         hits._gone = gone
         return hits
 
@@ -89,11 +91,10 @@ class Hits(Plural[Hit]):
 
     def _item(self, row: Any) -> Hit:
         """The object for a row."""
-        if self._world is None:
-            raise LookupError("these hits have lost their world (they were pickled or copied); read them as arrays")
+        world = self._world
         time, kind, ball, shape, point, normal, setback, speed, impulse = row.item()
-        ball_object: Any = self._world._object_of_hit(ball, self._gone)
-        shape_object: Any = self._world._object_of_hit(shape, self._gone)
+        ball_object: Any = world._object_of_hit(ball, self._gone)
+        shape_object: Any = world._object_of_hit(shape, self._gone)
         return Hit(
             time,
             HitKind(kind),

@@ -18,6 +18,7 @@ from carom.spelling import spelled
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
+from carom.world.link import Link
 from carom.world.removal import remove_rows
 from carom.world.safety import was_changed
 from carom.world.search import Search
@@ -57,6 +58,7 @@ class Members:
         self._arguments: tuple[Rows, ...] | None = None
         self._dt = -1.0
         self._lent: Rows | None = None
+        self._link = Link(self._world)
         self._no_hits = Hits.of(self._world, NO_ROWS)
 
     # -- what is in it -----------------------------------------------------------------------------------------------
@@ -219,7 +221,9 @@ class Members:
 
     def _object_of_hit(self, member_id: int, gone: Rows | None) -> Shape | Ball | None:
         """The object that a hit names, or None if it left and nobody kept it; `gone` are rows that left in that run."""
-        found = self._objects.get(member_id) or self._departed.find(member_id, gone)
+        found = self._objects.get(member_id)
+        if found is None:
+            found = self._departed.find(member_id, gone)
         if found is None:
             with suppress(InvalidArgument):
                 found = self._ball_of(member_id)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from copy import deepcopy
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.errors import LostObject
 from carom.rows import Rows
+from carom.world.link import Link
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -19,22 +22,51 @@ T = TypeVar("T")
 class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
     """Rows of dtype `DTYPE` whose items are objects: a single index and iteration give those.
 
-    It is false where it has no rows. Columns, and whatever NumPy computes of rows, are plain arrays.
+    It is false where it has no rows. Columns, and whatever NumPy computes of rows, are plain arrays. Copied or pickled
+    together with its world it speaks of the new world; pickled alone it is an array, whose items raise `LostObject`.
     """
 
     DTYPE: ClassVar[np.dtype[Any]]
 
-    _world: World | None
+    _link: Link | None
 
     @classmethod
     def of(cls, world: World, rows: Rows) -> Self:
         """What `world` says, from rows of dtype `DTYPE`."""
         plural = rows.view(cls)
-        plural._world = world
+        plural._link = world._link
         return plural
 
     def __array_finalize__(self, source: Any) -> None:
-        self._world = getattr(source, "_world", None)
+        self._link = getattr(source, "_link", None)
+
+    @property
+    def _world(self) -> World:
+        """The world that the rows are of; raises `LostObject` where it is not known."""
+        world = None if self._link is None else self._link.world
+        if world is None:
+            raise LostObject(
+                f"these {type(self).__name__} do not know their world: pickle both in one, as (world, hits), or read"
+                " them as an array, where shapes and balls are ids"
+            )
+        return world
+
+    def __reduce__(self) -> Any:
+        make, arguments, state, *_ = tuple(super().__reduce__())
+        return make, arguments, (state, self.__dict__)
+
+    def __setstate__(self, state: Any) -> None:
+        """Make this what was pickled."""
+        rows, attributes = state
+        super().__setstate__(rows)
+        self.__dict__.update(attributes)
+
+    def __deepcopy__(self, memo: dict[int, Any] | None = None) -> Any:
+        memo = {} if memo is None else memo
+        twin = super().__deepcopy__(memo)
+        memo[id(self)] = twin
+        twin.__dict__.update(deepcopy(self.__dict__, memo))
+        return twin
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         """A result of NumPy's, no longer rows: `hits == hits` is an array of booleans."""

@@ -164,7 +164,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
 
 def _restore_compounds(world: World, contents: Contents) -> list[Compound]:
     """The compounds that the snapshot names: those of the world whose center point is kept, and new ones."""
-    known = {shape.id: shape for shape in world._added.values() if isinstance(shape, Compound)}
+    known = {key: shape for key, shape in world._added.items() if isinstance(shape, Compound)}
     restored: list[Compound] = []
     for entry in contents.header["compounds"]:
         compound = known.get(entry["parts"][0])

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from carom.rows import Row
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from carom.world.world import World
 
 COUNTERS = (
     "box_tests",
@@ -20,13 +23,13 @@ COUNTERS = (
 class Statistics:
     """A live view of a world's counters; they count from the world's beginning or the last `reset`."""
 
-    __slots__ = ("_states",)
+    __slots__ = ("_world",)
 
-    def __init__(self, states: Row) -> None:
-        self._states = states
+    def __init__(self, world: World) -> None:
+        self._world = world
 
     def _count(self, name: str) -> int:
-        return int(self._states[0][name])
+        return int(self._world._states[0][name])
 
     @property
     def box_tests(self) -> int:
@@ -81,7 +84,7 @@ class Statistics:
         """Set all counters but `sleeping` to 0."""
         for name in COUNTERS:
             if name != "sleeping":
-                self._states[0][name] = 0
+                self._world._states[0][name] = 0
 
     def __repr__(self) -> str:
         return "Statistics(" + ", ".join(f"{name}={count}" for name, count in self.as_dict().items()) + ")"

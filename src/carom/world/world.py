@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from carom.rows import NO_RELATION, Rows
 from carom.spelling import Spelled, spelled
 from carom.typing import BroadPhase, Detection, Pair, Restitution
 from carom.world import compiled
+from carom.world.copies import shallow, state_of, take_state
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
 from carom.world.members import NO_BALLS, Members
@@ -91,7 +92,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     @property
     def statistics(self) -> Statistics:
         """Counters of what the world has done."""
-        return Statistics(self._states)
+        return Statistics(self)
 
     def step(self, dt: float) -> Hits:
         """Every hit of one step of `dt` seconds (not negative), in order of time.
@@ -252,24 +253,18 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         return digest_of(self)
 
     def __getstate__(self) -> dict[str, Any]:
-        """The snapshot, what `user` holds anywhere, and what a subclass of the user's adds."""
-        own = vars(World())
-        return {
-            "snapshot": self.snapshot(),
-            "users": {key: member.user for key, member in self._objects.items() if member.user is not None},
-            "compounds": {key: shape.user for key, shape in self._added.items() if shape.user is not None},
-            "added": {name: value for name, value in vars(self).items() if name not in own},
-        }
+        """The snapshot, the objects of members, what leads hits here, and what a subclass of the user's adds."""
+        return state_of(self, vars(World()))
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Nothing; makes this the world that was pickled or copied."""
+        """Make this the world that was pickled or copied, of the members that were pickled or copied with it."""
         World.__init__(self)
-        self.restore(state["snapshot"])
-        for key, user in state["users"].items():
-            self.object(key).user = user
-        for key, user in state["compounds"].items():
-            self._added[key].user = user
-        vars(self).update(state["added"])
+        take_state(self, state)
+
+    def __copy__(self) -> Self:
+        twin = type(self).__new__(type(self))
+        twin.__setstate__(shallow(self.__getstate__()))
+        return twin
 
     def __repr__(self) -> str:
         return f"<World at {self.time:g} s: {len(self.shapes)} shapes, {len(self.balls)} balls>"

@@ -127,7 +127,7 @@ def test_copies_know_their_objects_and_pickled_hits_are_arrays() -> None:
         assert twin[0].ball is hits[0].ball
     lost = pickle.loads(pickle.dumps(hits))
     assert lost["speed"].tolist() == hits["speed"].tolist()
-    with pytest.raises(LookupError, match="lost their world"):
+    with pytest.raises(carom.LostObject, match="do not know their world"):
         lost[0]
 
 

@@ -443,11 +443,11 @@ def test_answers_outlive_what_they_name_and_lose_their_world_in_a_pickle() -> No
     world.add_balls([(5, 0)], radius=1)
     rows = world.ray_cast((0, 0), [(10, 0)])
     world.restore(before)
-    with pytest.raises(LookupError, match="has left the world"):
+    with pytest.raises(carom.LostObject, match="has left the world"):
         rows[0]
     copied = pickle.loads(pickle.dumps(hits))
     assert copied["fraction"].tolist() == [0.5]
-    with pytest.raises(LookupError):
+    with pytest.raises(carom.LostObject):
         copied[0]
 
 
