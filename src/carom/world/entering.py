@@ -44,16 +44,23 @@ def entering(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
 
 
 def leaving(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
-    """The members of each of `shapes`, which may all leave; raises `InvalidArgument` for the first that may not."""
+    """The members of each of `shapes`, which may all leave; raises `InvalidArgument` for the first that may not.
+
+    What hits that are at hand may name, and has left already, is passed over: it is where it is wanted.
+    """
+    staying = []
     for place, shape in enumerate(shapes):
-        if getattr(shape, "world", None) is not world:
+        gone = getattr(shape, "world", world) is None and world._departed.has_just_left(members_of(shape)[0])
+        if not gone and getattr(shape, "world", None) is not world:
             listed = isinstance(shape, (list, tuple))
             raise _refuse(
                 shapes, place, "must be in this world" + (" (a list is taken out by remove(*shapes))" * listed)
             )
         if isinstance(shape, Shape) and shape.compound is not None:
             raise _refuse(shapes, place, "must not be part of a compound: remove the compound")
-    return [members_of(shape) for shape in shapes]
+        if not gone:
+            staying.append(shape)
+    return [members_of(shape) for shape in staying]
 
 
 def _refuse(shapes: Sequence[Any], place: int, must: str) -> InvalidArgument:

@@ -168,7 +168,9 @@ class Members:
         """Take shapes, compounds and balls out of the world; the objects keep their last values.
 
         A sensor that one of them was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next
-        step. Many are taken out at once as fast as one; what is given twice is taken out once.
+        step. Many are taken out at once as fast as one; what is given twice is taken out once. What has left since the
+        last step or run, or the one before it, may be given again, and nothing happens: one ball may have several hits,
+        and `for hit in hits: world.remove(hit.ball)` is right.
 
         Raises:
             InvalidArgument: One of them is not in this world, or is part of a compound. None has been taken out then.
@@ -180,7 +182,7 @@ class Members:
             for member in members:
                 table = self._room.balls if isinstance(member, Ball) else self._room.shapes
                 gone[table][table.index(member)] = True
-        if shapes:
+        if leavers:
             self._remove(gone[self._room.balls], gone[self._room.shapes])
 
     @staticmethod

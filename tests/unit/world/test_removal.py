@@ -83,8 +83,67 @@ def test_what_is_not_in_the_world_is_not_removed() -> None:
             world.remove(thing)
     assert world.digest() == before
     world.remove(gone)
+    for _ in range(2):
+        world.step(0.01)
     with pytest.raises(carom.InvalidArgument, match="must be in this world"):
         world.remove(gone)
+
+
+def busy_corner(detection: str = "discrete") -> carom.World:
+    """A world in which two balls of two have several hits each in the first step."""
+    world = carom.World(detection=detection, substeps=8)
+    world.add(carom.Compound([carom.Segment((-5, 0), (5, 0))], (0, 0)), carom.Segment((0, 0), (0, 9)))
+    world.add(carom.Circle((2, 2), 5, sensor=True, solid=True))
+    world.add_balls([(1.1, 1.2), (-1.1, 1.3)], [(-20, -20), (20, -20)], 1.0)
+    return world
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+@pytest.mark.parametrize("what", ["ball", "shape", "several"])
+def test_what_several_hits_name_is_removed_at_the_first_and_the_others_are_no_mistake(
+    what: str, detection: str
+) -> None:
+    world = busy_corner(detection)
+    hits = world.step(0.2)
+    named = [
+        hit.ball if what != "shape" else hit.shape.compound or hit.shape for hit in hits if hit.shape.kind != "ball"
+    ]
+    assert len({id(thing) for thing in named}) < len(named)
+    if what == "several":
+        world.remove(*named)
+        world.remove(*named, *named)
+    for thing in named:
+        world.remove(thing)
+    assert all(thing.world is None for thing in named)
+    after = world.digest()
+    for hit in world.step(0.0):  # the exits of what has been removed
+        world.remove(*[thing for thing in (hit.ball, hit.shape) if thing in named])
+    assert len(world.balls) == (2 if what == "shape" else 0)
+    assert after != world.digest()
+
+
+def test_strays_that_left_in_the_step_may_be_removed_again() -> None:
+    world = carom.World(bounds=(-5, -5, 5, 5), remove_strays=True)
+    world.add(carom.Point((0, 0)))
+    world.add_balls([(-2, 0)], (20, 0), 1)
+    for hit in world.run(2.0):
+        world.remove(hit.ball)
+
+
+def test_what_is_in_another_world_by_now_is_not_removed_from_the_one_that_it_left() -> None:
+    world, other = busy_corner(), carom.World()
+    (ball, *_) = [hit.ball for hit in world.step(0.2)]
+    world.remove(ball)
+    other.add(ball)
+    with pytest.raises(carom.InvalidArgument, match="must be in this world"):
+        world.remove(ball)
+    assert ball.world is other
+    part = carom.Compound([carom.Point((0, 9))], (0, 0))
+    world.add(part)
+    world.remove(part)
+    world.remove(part)
+    with pytest.raises(carom.InvalidArgument, match="must not be part of a compound"):
+        world.remove(part.shapes[0])
 
 
 @pytest.mark.parametrize("which", ["ball", "sensor", "switched off"])
