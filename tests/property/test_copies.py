@@ -99,7 +99,13 @@ def packed(draw: Any, chosen: list[Any]) -> Any:
     items: list[Any] = []
     for thing in chosen:
         kind = draw(st.sampled_from(("bare", "list", "dict", "class", "again")))
-        box = {"bare": thing, "list": [thing], "dict": {"key": thing}, "class": Holder(it=thing), "again": (thing, items)}
+        box = {
+            "bare": thing,
+            "list": [thing],
+            "dict": {"key": thing},
+            "class": Holder(it=thing),
+            "again": (thing, items),
+        }
         items.append(box[kind] if kind != "again" else thing)
         if kind == "again":
             items.append(thing)

@@ -188,7 +188,7 @@ except carom.InvalidArgument as error:
     print(error)
 except carom.NonFiniteState as error:
     print(error.hits)
-except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra) as error:
+except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra, carom.LostObject) as error:
     print(error)
 except carom.CaromError as error:
     print(error, carom.__version__)
