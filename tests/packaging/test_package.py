@@ -1,5 +1,6 @@
 """What is installed is complete, and importing it is cheap and quiet."""
 
+import re
 import subprocess
 import sys
 from importlib.metadata import entry_points, version
@@ -67,6 +68,20 @@ def test_the_version_is_the_same_wherever_it_is_said(wheel: ZipFile) -> None:
     metadata = wheel.read(f"carom-{carom.__version__}.dist-info/METADATA").decode()
     assert f"\nVersion: {carom.__version__}\n" in metadata
     assert version("carom") == carom.__version__
+
+
+def test_the_description_shows_nothing_and_leads_nowhere_that_a_package_index_has_not(wheel: ZipFile) -> None:
+    metadata = wheel.read(f"carom-{carom.__version__}.dist-info/METADATA").decode()
+    head, _, text = metadata.partition("\n\n")
+    assert "Description-Content-Type: text/markdown" in head
+    assert text.startswith("# carom\n")
+    assert [place for place in re.findall(r"\]\(([^)]*)\)", text) if not place.startswith(("https://", "#"))] == []
+    named = set(re.findall(r"\(`([^`]+)`\)", text))
+    assert "docs/start.md" in named
+    assert [path for path in named if not (ROOT / path).is_file()] == []
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert text.count("```") == readme.count("```"), "no program is lost"
+    assert text.count("\n#") == readme.count("\n#"), "and no heading"
 
 
 def test_the_command_is_installed() -> None:

@@ -4,31 +4,55 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
+from typer.core import TyperGroup
 
-from carom.cli import commands, games
-from carom.cli.mistakes import Mistake
+from carom.cli import commands, files, games
+from carom.cli.mistakes import Mistake, meant, no_such
 from carom.cli.quantities import non_negative, number, positive
 from carom.cli.view import View
 from carom.draw import Layer, ThemeName
 from carom.errors import CaromError, RecordingError, SceneError
 
+#: What is raised where a command is not called as it must be; typer has a public name only for one of its kind.
+UsageError: Any = typer.BadParameter.__bases__[0]
+
+
+class Commands(TyperGroup):
+    """The commands; a name that none has is a mistake like any other."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """The command that the first of the arguments names, and the rest of them."""
+        if args[0] not in self.commands:
+            raise no_such("command", args[0], self.commands)
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
     name="carom",
+    cls=Commands,
+    # As plain text: typer's boxes say of options that take no value that they take a `<bool>`.
+    rich_markup_mode=None,
     help="Exact, fast 2D collisions: run a scene, look at it, check it, play.",
     epilog="SCENE is a scene file (.toml, .json) or the name of a shipped scene. "
-    "Exit status: 0 done, 1 a failure of the program or the machine, 2 a mistake in what was asked.",
-    no_args_is_help=True,
+    "Exit status: 0 done, 1 a failure of the program or the machine, 2 a mistake in what was asked, "
+    "130 interrupted by Ctrl-C.",
+    invoke_without_command=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 
-SceneName = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file, or the name of a shipped scene.")]
+# Hidden: what SCENE is, each command says in its own words; typer would say that it is a `<str>`.
+SceneName = Annotated[str, typer.Argument(metavar="SCENE", hidden=True)]
 Theme = Annotated[
-    ThemeName,
-    typer.Option(help="Colours of a picture; auto follows the reader's own setting where it can, else it is light."),
+    str,
+    typer.Option(
+        metavar="NAME",
+        help=f"Colours of a picture: {', '.join(ThemeName)}; auto follows the reader's own setting where it can, "
+        "else it is light.",
+    ),
 ]
 Layers = Annotated[
     str | None,
@@ -48,27 +72,49 @@ Size = Annotated[str | None, typer.Option(metavar="PIXELS", help="Size of a pict
 def main(arguments: list[str] | None = None) -> None:
     """Nothing; runs the command line (of this process, or `arguments`) and raises `SystemExit` with its status."""
     try:
-        app(arguments, prog_name="carom")
+        # A command returns nothing; what comes back is the status of one that was ended early.
+        status = app(arguments, prog_name="carom", standalone_mode=False)
+    except UsageError as error:
+        fail(misused(error), 2)
+    except (KeyboardInterrupt, typer.Abort):
+        status = files.INTERRUPTED
     except (Mistake, SceneError, RecordingError) as error:
         fail(error, 2)
     except (CaromError, OSError) as error:
         fail(error, 1)
+    sys.exit(status or 0)
 
 
-def fail(error: Exception, status: int) -> NoReturn:
-    """Nothing; says on stderr what went wrong and exits with `status`."""
+def misused(error: Any) -> str:
+    """What typer says of a command that was not called as it must be, in one line, as all else is said."""
+    context = error.ctx
+    if hasattr(error, "possibilities") and context is not None:
+        options = [option for parameter in context.command.get_params(context) for option in parameter.opts]
+        told, hint = f"{error.option_name}: no such option", meant(error.option_name, options)
+    else:
+        said = error.format_message().rstrip(".")
+        told, hint = f"{said[:1].lower()}{said[1:]}", ""
+    return f"{told}; {hint or f'see {context.command_path if context else app.info.name} --help'}"
+
+
+def fail(error: Exception | str, status: int) -> NoReturn:
+    """Say on stderr what went wrong and exit with `status`."""
     typer.echo(f"carom: {error}", err=True)
     sys.exit(status)
 
 
 @app.callback()
 def root(
-    version: Annotated[
-        bool,
-        typer.Option("--version", callback=commands.tell_version, is_eager=True, help="Show the version and exit."),
-    ] = False,
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False,
 ) -> None:
-    """Take the options of `carom` itself."""
+    """Take the options of `carom` itself; without any, and without a command, say what there is."""
+    if version:
+        commands.tell_version()
+        raise typer.Exit
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help(), err=True)
+        raise typer.Exit(2)
 
 
 @app.command()
@@ -86,13 +132,14 @@ def run(
             "Can be given several times.",
         ),
     ] = None,
-    theme: Theme = ThemeName.AUTO,
+    theme: Theme = ThemeName.AUTO.value,
     layers: Layers = None,
     size: Size = None,
 ) -> None:
     """Run a scene, show progress, and print what happened.
 
-    Ctrl-C stops the run; what was asked for is still written.
+    SCENE is a scene file, or the name of a shipped scene. Ctrl-C stops the run; what was asked for is still written,
+    unless Ctrl-C comes again.
     """
     view = View.of(theme, layers, size)
     commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], view)
@@ -109,21 +156,27 @@ def show(
             "By default the scene's name and .svg, here.",
         ),
     ] = None,
-    theme: Theme = ThemeName.AUTO,
+    theme: Theme = ThemeName.AUTO.value,
     layers: Layers = None,
     size: Size = None,
     at: Annotated[
         str | None, typer.Option(metavar="S", help="Of a recording: the time to show. By default its end.")
     ] = None,
 ) -> None:
-    """Make a picture of a scene as it stands, or of a recorded run."""
+    """Make a picture of a scene as it stands, or of a recorded run.
+
+    SCENE is a scene file, a recording, or the name of a shipped scene.
+    """
     view = View.of(theme, layers, size)
     commands.show(scene, out, view, None if at is None else number("--at", at))
 
 
 @app.command()
 def check(scene: SceneName) -> None:
-    """Say whether a scene file is good, and all that is wrong with it."""
+    """Say whether a scene file is good, and all that is wrong with it.
+
+    SCENE is a scene file, a recording, or the name of a shipped scene.
+    """
     commands.check(scene)
 
 
@@ -148,7 +201,12 @@ def toy(
     ] = None,
     seconds: Seconds = None,
 ) -> None:
-    """Play with collisions: the table, and a panel with everything that can be changed, counted and shown."""
+    """Play with collisions, on a table with a panel.
+
+    On the panel is everything that can be changed, counted and shown; F1 is help.
+    """
+    if chart and seconds is not None:
+        raise Mistake(f"--seconds {seconds}: is for playing, not for --chart")
     if chart:
         games.toy_chart(out or Path("toy-chart.svg"))
     elif out is not None:
@@ -159,13 +217,19 @@ def toy(
 
 @app.command()
 def pinball(seconds: Seconds = None) -> None:
-    """Play pinball: the flippers are the shift keys, space is the plunger, F1 is help."""
+    """Play pinball.
+
+    The flippers are the shift keys, space is the plunger, F1 is help.
+    """
     games.pinball(span(seconds))
 
 
 @app.command()
 def pool(seconds: Seconds = None) -> None:
-    """Play the end of a game of pool: the mouse aims, its button draws the cue back, F1 is help."""
+    """Play the end of a game of pool.
+
+    The mouse aims, its button draws the cue back, F1 is help.
+    """
     games.pool(span(seconds))
 
 

@@ -35,11 +35,9 @@ BYTES_OF_BALL = 100
 MOST_STEPS = 10**12
 
 
-def tell_version(wanted: bool) -> None:
-    """Nothing; prints the version and ends the program, if that is wanted."""
-    if wanted:
-        typer.echo(f"carom {carom.__version__}")
-        raise typer.Exit
+def tell_version() -> None:
+    """Print the version."""
+    typer.echo(f"carom {carom.__version__}")
 
 
 def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> None:
@@ -57,7 +55,7 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
         every = max(1, round(1.0 / (FRAMES * dt)))
         check_room(steps // every + 2, len(world.balls), len(world.shapes))
         recorder = Recorder(world, name=source.title, about=source.about, every=every)
-    with report.Bar(source.name, steps, dt) as bar:
+    with files.promised(paths), report.Bar(source.name, steps, dt) as bar:
         outcome = running.run(
             world,
             steps,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,7 @@ from carom.record.members import names_in
 from carom.scene import Scene
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping, Sequence
+    from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
     from carom.cli.running import Outcome
     from carom.cli.sources import Source
@@ -40,6 +41,8 @@ OF_SCENE = STILLS
 OF_RECORDING = (*STILLS, *FILMS, PAGE)
 #: The files that need every frame of a run.
 RECORDED = frozenset({*FILMS, PAGE, RUN})
+#: The exit status of a command that Ctrl-C has interrupted, as shells have it.
+INTERRUPTED = 130
 
 
 def check_extras(endings: Collection[str]) -> None:
@@ -112,14 +115,31 @@ def writers_of_recording(recording: Recording, view: View) -> Writers:
 def write_all(paths: Sequence[Path], writers: Writers) -> None:
     """Nothing; writes every file that can be written, says how large each is, and exits with 1 if any could not."""
     failed = False
-    for path in paths:
-        try:
-            size = outputs.write(path, writers[path.suffix.lower()])
-        except (OSError, CaromError) as error:
-            why = (error.strerror if isinstance(error, OSError) else None) or error
-            typer.echo(f"carom: {path}: cannot be written: {why}", err=True)
-            failed = True
-        else:
-            typer.echo(f"wrote {path} ({size / 1000:,.0f} kB)")
+    with promised(paths) as left:
+        for path in paths:
+            try:
+                size = outputs.write(path, writers[path.suffix.lower()])
+            except (OSError, CaromError) as error:
+                why = (error.strerror if isinstance(error, OSError) else None) or error
+                typer.echo(f"carom: {path}: cannot be written: {why}", err=True)
+                failed = True
+            else:
+                typer.echo(f"wrote {path} ({size / 1000:,.0f} kB)")
+            left.remove(path)
     if failed:
         raise typer.Exit(1)
+
+
+@contextmanager
+def promised(paths: Sequence[Path]) -> Iterator[list[Path]]:
+    """The files that are still to be written, in a list to take them from.
+
+    Where Ctrl-C interrupts what goes on meanwhile, it says which were left, and exits.
+    """
+    left = list(paths)
+    try:
+        yield left
+    except KeyboardInterrupt:
+        names = ", ".join(str(path) for path in left)
+        typer.echo(f"carom: interrupted{names and '; not written: '}{names}", err=True)
+        raise typer.Exit(INTERRUPTED) from None

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from carom.cli.mistakes import Mistake
+from carom.cli.mistakes import Mistake, meant
 
 
 def check_outputs(paths: Sequence[Path], endings: Sequence[str], scene: Path | None) -> None:
@@ -19,7 +19,8 @@ def check_outputs(paths: Sequence[Path], endings: Sequence[str], scene: Path | N
     seen: list[Path] = []
     for path in paths:
         if path.suffix.lower() not in endings:
-            raise Mistake(f"{path}: its ending must be one of {', '.join(endings)}")
+            hint = meant(path.suffix, endings)
+            raise Mistake(f"{path}: its ending must be one of {', '.join(endings)}{hint and '; '}{hint}")
         target = path.resolve()
         if target in seen:
             raise Mistake(f"{path}: asked for twice")

@@ -6,10 +6,9 @@ import inspect
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 
-from carom.cli.mistakes import Mistake
+from carom.cli.mistakes import Mistake, meant
 from carom.record import Recording
 from carom.scene import Scene, scenes
 
@@ -70,6 +69,5 @@ def find(text: str) -> Source:
         return Source(scene.name or path.stem, "", path, lambda: scene)
     if is_folder:
         raise Mistake(f"{text}: is a folder, not a scene file")
-    near = get_close_matches(text, by_name, n=1)
-    hint = f"did you mean {near[0]}?" if near else f"shipped are {', '.join(by_name)}"
+    hint = meant(text, by_name) or f"shipped are {', '.join(by_name)}"
     raise Mistake(f"{text}: no such file, and no shipped scene of that name; {hint}")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from carom.cli.mistakes import Mistake
+from carom.cli.mistakes import Mistake, no_such
 from carom.draw import DEFAULT_LAYERS, Layer, ThemeName
 from carom.draw.frame import LEAST_SIDE, MOST_SIDE
 from carom.draw.page_run import FIRST_LAYERS
@@ -29,13 +28,20 @@ class View:
     size: Size = None
 
     @classmethod
-    def of(cls, theme: ThemeName, layers: str | None, size: str | None) -> Self:
+    def of(cls, theme: str, layers: str | None, size: str | None) -> Self:
         """What the options say; raises `Mistake`."""
-        view = cls(theme, size=None if size is None else size_from(size))
+        view = cls(theme_from(theme), size=None if size is None else size_from(size))
         if layers is None:
             return view
         chosen = layers_from(layers)
         return replace(view, layers=chosen, page_layers=chosen)
+
+
+def theme_from(text: str) -> ThemeName:
+    """The theme that `text` names; raises `Mistake`."""
+    if text not in set(ThemeName):
+        raise no_such("theme", text, ThemeName, "--theme")
+    return ThemeName(text)
 
 
 def layers_from(text: str) -> frozenset[Layer]:
@@ -46,11 +52,9 @@ def layers_from(text: str) -> frozenset[Layer]:
     names = [name.strip() for name in text.split(",") if name.strip()]
     for name in names:
         if name not in known:
-            near = get_close_matches(name, known, n=1)
-            hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}, and {ALL}"
-            raise Mistake(f"--layers {name}: no such layer; {hint}")
+            raise no_such("layer", name, [*known, ALL], "--layers")
     if not names:
-        raise Mistake(f"--layers {text}: names no layer; there are {', '.join(known)}, and {ALL}")
+        raise Mistake(f"--layers {text}: names no layer; there are {', '.join(known)}, {ALL}")
     return frozenset(known[name] for name in names)
 
 

@@ -105,7 +105,10 @@ def encode(film: Film, rate: int, pictures: Iterable[bytes], options: Mapping[st
     source = {"-f": "rawvideo", "-pix_fmt": "rgb24", "-s": f"{width}x{height}", "-r": str(rate), "-i": "-"}
     words = (word for table in (source, options, PLAIN) for pair in table.items() for word in pair)
     command = [encoder(), "-y", "-nostdin", "-loglevel", "error", *words, str(path)]
-    with subprocess.Popen(command, stdin=PIPE, stdout=subprocess.DEVNULL, stderr=PIPE) as process:
+    # In a session of its own, where Ctrl-C does not reach it: who gives it pictures decides what becomes of it.
+    with subprocess.Popen(
+        command, stdin=PIPE, stdout=subprocess.DEVNULL, stderr=PIPE, start_new_session=True
+    ) as process:
         assert process.stdin is not None
         try:
             # An encoder that failed has closed its end; what it has to say is read below.

@@ -175,18 +175,6 @@ def test_a_bad_scene_is_refused_with_all_its_faults(capsys: pytest.CaptureFixtur
 
 
 @pytest.mark.usefixtures("here")
-@pytest.mark.parametrize("arguments", [("run",), ("walk",), ("run", "good.toml", "--theme", "pink"), ("scenes", "x")])
-def test_what_the_options_do_not_allow_is_a_mistake_too(
-    capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]
-) -> None:
-    status, out, err = carom_says(capsys, *arguments)
-    assert status == 2
-    assert out == ""
-    assert err != ""
-    assert "Traceback" not in err
-
-
-@pytest.mark.usefixtures("here")
 def test_a_good_scene_is_said_to_be_good(capsys: pytest.CaptureFixture[str]) -> None:
     assert carom_says(capsys, "check", "good.toml") == (0, "good: good: 1 shape, 1 ball\n", "")
     assert carom_says(capsys, "check", "newtons_cradle")[0] == 0
@@ -217,14 +205,6 @@ def test_the_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_version_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert carom_says(capsys, "--version") == (0, f"carom {carom.__version__}\n", "")
-
-
-@pytest.mark.parametrize("arguments", [("--help",), ("run", "--help"), ("show", "--help"), ("scenes", "--help")])
-def test_there_is_help(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]) -> None:
-    status, out, err = carom_says(capsys, *arguments)
-    assert status == 0
-    assert "Usage: carom" in out
-    assert err == ""
 
 
 def test_a_file_that_cannot_be_written_in_the_end_fails_alone(
@@ -300,3 +280,53 @@ def test_ctrl_c_stops_a_run_and_writes_what_was_asked(here: Path) -> None:
     assert ElementTree.parse(here / "run.svg").getroot().tag.endswith("svg")
     assert carom.Scene.load(here / "run.toml").balls
     assert (here / "run.csv").read_text().startswith("time,kind,")
+
+
+#: The command line, in a process that says when the first frame of a film is encoded, and then takes its time.
+SLOW_FILM = """
+import sys, time
+from carom.cli import main, report
+tell = report.FilmBar.tell
+def slow(bar, done, total):
+    if done == 1:
+        print("encoding", file=sys.stderr, flush=True)
+    time.sleep(0.2)
+    tell(bar, done, total)
+report.FilmBar.tell = slow
+main()
+"""
+#: Likewise for a page.
+SLOW_PAGE = """
+import sys, time
+from carom.cli import files, main
+def slow(*_):
+    print("encoding", file=sys.stderr, flush=True)
+    time.sleep(60)
+files.replay_page = slow
+main()
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are sent the way of POSIX")
+@pytest.mark.parametrize(("code", "name"), [(SLOW_FILM, "run.gif"), (SLOW_FILM, "run.mp4"), (SLOW_PAGE, "run.html")])
+def test_ctrl_c_while_a_file_is_written_says_what_was_not(here: Path, code: str, name: str) -> None:
+    pytest.importorskip("imageio_ffmpeg", reason='no imageio-ffmpeg: pip install "carom[draw]"')
+    before = set(here.iterdir())
+    outs = ("--out", "run.toml", "--out", name, "--out", "run.csv", "--size", "64")
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, "run", "good.toml", "--seconds", "5", *outs],
+        cwd=here,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    assert process.stderr is not None
+    while process.stderr.readline() not in ("encoding\n", ""):
+        pass
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all that were started there
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == 130
+    assert "wrote run.toml" in out
+    assert err == f"carom: interrupted; not written: {name}, run.csv\n"
+    assert {path.name for path in set(here.iterdir()) - before} == {"run.toml"}
