@@ -33,7 +33,8 @@ class Commands(TyperGroup):
 app = typer.Typer(
     name="carom",
     cls=Commands,
-    # As plain text: typer's boxes say of options that take no value that they take a `<bool>`.
+    # As plain text: typer's boxes say of options that take no value that they take a `<bool>`. Defaults stand in the
+    # options' own words, for some versions of typer write them as for a box even so.
     rich_markup_mode=None,
     help="Exact, fast 2D collisions: run a scene, look at it, check it, play.",
     epilog="SCENE is a scene file (.toml, .json) or the name of a shipped scene. "
@@ -50,8 +51,9 @@ Theme = Annotated[
     str,
     typer.Option(
         metavar="NAME",
+        show_default=False,
         help=f"Colours of a picture: {', '.join(ThemeName)}; auto follows the reader's own setting where it can, "
-        "else it is light.",
+        "else it is light. By default auto.",
     ),
 ]
 Layers = Annotated[
@@ -120,8 +122,15 @@ def root(
 @app.command()
 def run(
     scene: SceneName,
-    seconds: Annotated[str, typer.Option(metavar="S", help="Simulated time to run for, in seconds.")] = "10",
-    dt: Annotated[str, typer.Option(metavar="S", help="Length of a step: a number or a fraction.")] = "1/60",
+    seconds: Annotated[
+        str, typer.Option(metavar="S", show_default=False, help="Simulated time to run for, in seconds. By default 10.")
+    ] = "10",
+    dt: Annotated[
+        str,
+        typer.Option(
+            metavar="S", show_default=False, help="Length of a step: a number or a fraction. By default 1/60."
+        ),
+    ] = "1/60",
     out: Annotated[
         list[Path] | None,
         typer.Option(

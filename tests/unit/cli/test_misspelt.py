@@ -145,6 +145,8 @@ def test_the_help_is_for_people(command: str, capsys: pytest.CaptureFixture[str]
     status, out, err = carom_says(capsys, *([command] if command else []), "--help")
     assert (status, err) == (0, "")
     assert "<" not in out, "a type of the program's"
+    assert "\\" not in out
+    assert "[default" not in out, "some versions of typer write it with a backslash"
     assert "..." not in out.partition("\n")[2], "what a command does is told to its end"
     assert max(map(len, out.splitlines())) <= 80
     for option in options_of(command):
