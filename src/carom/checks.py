@@ -154,34 +154,61 @@ def one_of(name: str, value: Any, choices: tuple[Word, ...]) -> Word:
 
 
 def array(
-    name: str, value: Any, shape: tuple[int, ...], above: float | None = None, least: float | None = None
+    name: str,
+    value: Any,
+    shape: tuple[int, ...],
+    above: float | None = None,
+    least: float | None = None,
+    besides: float | None = None,
 ) -> NDArray[np.float64]:
     """`value` as a float64 array of `shape` (-1: any length), one value or row standing for all.
 
-    All values must be finite, greater than `above` and not less than `least`.
+    All values must be finite, greater than `above` and not less than `least`, unless they are what is allowed
+    `besides`.
     """
-    needed = f"must be numbers of shape {('n', *shape[1:]) if shape[0] < 0 else shape}"
+    given, result = _shaped(name, value, shape, "iuf", "numbers", np.float64)
+    _check_all(name, "must be finite", given, np.isfinite(given))
+    if above is not None:
+        _check_all(name, "must be positive", given, given > above)
+    if least is not None:
+        must = "must not be negative" if besides is None else f"must be 0 or more, or {besides:g}"
+        _check_all(name, must, given, (given >= least) | (given == besides))
+    return result
+
+
+def flags(name: str, value: Any, count: int) -> NDArray[np.bool_]:
+    """`value` as an array of `count` bools, one standing for all; only true booleans are taken."""
+    return _shaped(name, value, (count,), "b", "True or False, or an array of them", np.bool_)[1]
+
+
+def masks(name: str, value: Any, count: int) -> NDArray[np.uint32]:
+    """`value` as an array of `count` masks of 32 layers, one standing for all."""
+    given, _ = _shaped(name, value, (count,), "iu", "whole numbers", None)
+    _check_all(name, f"must be from 0 to {ALL_LAYERS}", given, (given >= 0) & (given <= ALL_LAYERS))
+    return np.broadcast_to(given.astype(np.uint32), (count,))
+
+
+def _shaped(
+    name: str, value: Any, shape: tuple[int, ...], kinds: str, what: str, dtype: Any
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """`value` as an array of some kinds of NumPy's, as it was given and as `shape` (-1: any length) wants it."""
+    needed = f"must be {what} of shape {('n', *shape[1:]) if shape[0] < 0 else shape}"
     try:
         given = np.asarray(value)
-        if given.dtype.kind not in "iuf":
+        if given.dtype.kind not in kinds and given.size:
             raise TypeError
-        given = given.astype(np.float64)
+        given = given if dtype is None else given.astype(dtype)
         result = given if shape[0] < 0 else np.broadcast_to(given, shape)
     except (TypeError, ValueError):
         raise refuse(name, needed, value) from None
     if result.ndim != len(shape) or result.shape[1:] != shape[1:]:
         raise refuse(name, needed, value)
-    _check_all(name, "must be finite", given, np.isfinite(given))
-    if above is not None:
-        _check_all(name, "must be positive", given, given > above)
-    if least is not None:
-        _check_all(name, "must not be negative", given, given >= least)
-    return result
+    return given, result
 
 
-def _check_all(name: str, must: str, given: NDArray[np.float64], good: NDArray[np.bool_]) -> None:
+def _check_all(name: str, must: str, given: NDArray[Any], good: NDArray[np.bool_]) -> None:
     """Nothing; raises for the first value that is not good, naming its place."""
     if not good.all():
         place = np.unravel_index(int(np.argmin(good)), given.shape)
         index = f"[{', '.join(str(int(number)) for number in place)}]" if place else ""
-        raise refuse(name + index, must, float(given[place]))
+        raise refuse(name + index, must, given[place].item())

@@ -33,6 +33,9 @@ DYNAMIC = 2
 NO_RELATION = -1
 ALL_LAYERS = 0xFFFFFFFF
 
+#: The friction of a ball that has none of its own: that of the world holds.
+OF_WORLD = -1.0
+
 
 class Motion(IntEnum):
     """How a shape moves: not at all, on rails that nothing pushes it off, or freely."""
@@ -51,6 +54,7 @@ BALL = np.dtype(
         ("radius", "f8"),
         ("mass", "f8"),
         ("elasticity", "f8"),
+        ("friction", "f8"),  # deceleration in length/s², or OF_WORLD
         ("still_time", "f8"),  # seconds spent below the sleep speed
         ("id", "i8"),
         ("layer", "u4"),

@@ -80,7 +80,8 @@ compounds = tables(
 )
 shapes = st.one_of(parts(surface), parts(surface | rails).map(turning), compounds)
 balls = st.fixed_dictionaries(
-    {"position": pairs, "radius": positive}, optional=colliding | {"mass": positive, "velocity": pairs}
+    {"position": pairs, "radius": positive},
+    optional=colliding | {"mass": positive, "velocity": pairs, "friction": st.one_of(st.none(), st.floats(0.0, 10.0))},
 )
 worlds = st.fixed_dictionaries(
     {},

@@ -194,7 +194,6 @@ STATE_FAULTS: dict[str, list[Any]] = {
 }
 
 BALL_FAULTS: dict[str, list[Any]] = {
-    "elasticity": [-1.0, NAN],
     "still_time": [-1.0, NAN],
     "id": [0, -1, 10**9],
     "relation": [0, 5, -2],

@@ -74,6 +74,7 @@ BAD: dict[str, list[Any]] = {
     "end_angle": [*NO_NUMBERS, 1.0],
     "angles": [*NO_VECTORS, (1.0, 1.0), (0.0, 1e-320)],
     "mass": [*NO_NUMBERS, 0, -0.0, -1],
+    "friction": [*_some(NO_NUMBERS), -1e-9, -1],
     "shapes": [None, 5, [None], [carom.Ball((0, 0), 1)], [carom.Compound([], (0, 0))]],
     "shape": [None, carom.Ball((0, 0), 1), carom.Compound([], (0, 0))],
     "orientation": NO_NUMBERS,

@@ -28,7 +28,7 @@ def still(shown: Pictured) -> str:
     if isinstance(shown, Scene):
         return svg(picture_of(shown.build(), shown.name or "Scene", size=PICTURE_SIZE))
     if isinstance(shown, World):
-        return svg(picture_of(shown, "World", caption=f"At {shown.time:g} s.", size=PICTURE_SIZE))
+        return svg(picture_of(shown, caption=f"At {shown.time:g} s.", size=PICTURE_SIZE))
     raise TypeError(f"there are no pictures of a {type(shown).__name__}")
 
 

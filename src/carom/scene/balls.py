@@ -5,25 +5,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from carom.rows import OF_WORLD
 from carom.scene.descriptors import BallDescriptor
 
 if TYPE_CHECKING:
     from carom.world.world import World
 
-#: The fields of a ball by which `World.add_balls` makes it, and those that are set afterwards.
-GIVEN = ("position", "velocity", "radius", "mass", "elasticity")
-SET = ("sensor", "can_collide", "layer", "collides_with")
+#: What stands for many balls' fields in a table of rows.
+NUMBERS = ("radius", "mass", "elasticity", "layer", "collides_with")
+SWITCHES = ("sensor", "can_collide")
 
 
 def add_balls(world: World, balls: Sequence[BallDescriptor]) -> None:
     """Add balls to a world, in their order, as if each were built and added."""
     if not balls:
         return
-    columns: dict[str, Any] = {field: [getattr(ball, field) for ball in balls] for field in (*GIVEN, *SET)}
-    ids = world.add_balls(**{field: columns[field] for field in GIVEN})
-    rows = world._room.balls.used[-len(balls) :]
-    for field in SET:
-        rows[field] = columns[field]
+    fields = ("position", "velocity", *NUMBERS, *SWITCHES)
+    columns: dict[str, Any] = {field: [getattr(ball, field) for ball in balls] for field in fields}
+    friction = [OF_WORLD if ball.friction is None else ball.friction for ball in balls]
+    ids = world.add_balls(friction=friction, **columns)
     for ball_id, ball in zip(ids.tolist(), balls, strict=True):
         if ball.name is not None:
             world.object(ball_id).name = ball.name
@@ -35,8 +35,9 @@ def described_balls(world: World) -> list[dict[str, Any]]:
     fields: dict[str, list[Any]] = {
         "position": list(zip(rows["x"].tolist(), rows["y"].tolist(), strict=True)),
         "velocity": list(zip(rows["vx"].tolist(), rows["vy"].tolist(), strict=True)),
-        **{field: rows[field].tolist() for field in ("radius", "mass", "elasticity", "layer", "collides_with")},
-        **{field: rows[field].astype("?").tolist() for field in ("sensor", "can_collide")},
+        **{field: rows[field].tolist() for field in NUMBERS},
+        "friction": [None if friction == OF_WORLD else friction for friction in rows["friction"].tolist()],
+        **{field: rows[field].astype("?").tolist() for field in SWITCHES},
         "name": [getattr(world._objects.get(ball), "name", None) for ball in rows["id"].tolist()],
     }
     return [dict(zip(fields, values, strict=True)) for values in zip(*fields.values(), strict=True)]

@@ -47,7 +47,7 @@ class WorldDescriptor(Descriptor):
     restitution: Literal["normal", "total"] = "normal"
     """Whether elasticity scales the normal part of a velocity or all of it."""
     friction: NonNegative = 0.0
-    """Deceleration of every ball, in length/s²."""
+    """Deceleration of every ball that has no friction of its own, in length/s²."""
     sleep_speed: NonNegative = 0.0
     """Speed below which a ball may fall asleep."""
     sleep_time: NonNegative = 0.5
@@ -97,6 +97,8 @@ class BallDescriptor(CollidingDescriptor):
     """How fast it moves, in length/s."""
     mass: Positive = 1.0
     """Its mass; only ratios matter."""
+    friction: NonNegative | None = None
+    """Its deceleration by the table, in length/s²; by default the world's."""
 
     @model_validator(mode="after")
     def _can_be_built(self) -> Self:

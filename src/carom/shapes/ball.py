@@ -12,7 +12,7 @@ from carom.geometry.aabb import circle_box
 from carom.geometry.circle import closest_on_circle
 from carom.geometry.response import exchanged, reflected, reflected_total, separated
 from carom.geometry.vector import dot
-from carom.rows import ALL_LAYERS, BALL, BALL_KIND, NO_RELATION, Motion, Row
+from carom.rows import ALL_LAYERS, BALL, BALL_KIND, NO_RELATION, OF_WORLD, Motion, Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
@@ -25,8 +25,8 @@ from carom.typing import Pair, Restitution, Vector
 class Ball(Round):
     """A dynamic circle, which other shapes push about.
 
-    `position` in length, `radius` in length (positive), `velocity` in length/s, `mass` in any unit (positive). Raises
-    `InvalidArgument`, which names the argument and its value.
+    `position` in length, `radius` in length (positive), `velocity` in length/s, `mass` in any unit (positive),
+    `friction` in length/s² (None: the world's). Raises `InvalidArgument`, which names the argument and its value.
 
     >>> import carom
     >>> ball = carom.Ball((5, 0.25), radius=0.5, velocity=(3, -2))
@@ -51,6 +51,7 @@ class Ball(Round):
         mass: float = 1.0,
         *,
         elasticity: float = 1.0,
+        friction: float | None = None,
         sensor: bool = False,
         can_collide: bool = True,
         layer: int = 1,
@@ -64,6 +65,7 @@ class Ball(Round):
         row["vx"], row["vy"] = pair("velocity", velocity)
         row["mass"] = positive("mass", mass)
         row["elasticity"] = non_negative("elasticity", elasticity)
+        row["friction"] = _friction(friction)
         row["sensor"] = flag("sensor", sensor)
         row["can_collide"] = flag("can_collide", can_collide)
         row["layer"] = layers("layer", layer)
@@ -143,6 +145,16 @@ class Ball(Round):
         self._put("mass", positive("mass", value))
 
     @property
+    def friction(self) -> float | None:
+        """Its deceleration by the table, in length/s², 0 or more; None: that of the world that it is in."""
+        friction = float(self._row["friction"])
+        return None if friction == OF_WORLD else friction
+
+    @friction.setter
+    def friction(self, value: float | None) -> None:
+        self._put("friction", _friction(value))
+
+    @property
     def asleep(self) -> bool:
         """Whether it sleeps: in a world, after it has been slow for a while; never outside of one."""
         return bool(self._row["asleep"])
@@ -204,6 +216,11 @@ class Ball(Round):
             _respond_to_ball(contact, contact.shape)
         else:
             _respond_to_shape(contact, contact.shape, total)
+
+
+def _friction(value: float | None) -> float:
+    """A ball's friction as its row holds it."""
+    return OF_WORLD if value is None else non_negative("friction", value)
 
 
 def _check(row: Row, name: str, value: object) -> None:

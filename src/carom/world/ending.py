@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from carom.rows import NO_RELATION, Row, Rows
+from carom.rows import NO_RELATION, OF_WORLD, Row, Rows
 from carom.shapes.contact import find_contact
 from carom.world.layout import DISCRETE, EXIT, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING
 from carom.world.motion import slow_by_friction
@@ -69,14 +69,16 @@ def sweep_relations(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations
 
 def finish_substep(state: Row, balls: Rows, duration: float) -> None:
     """Apply friction for `duration` seconds, and put to sleep the balls that have been slow for long enough."""
-    loss = float(state["friction"]) * duration
+    worlds_loss = float(state["friction"]) * duration
     sleep_speed = float(state["sleep_speed"])
-    if loss == 0.0 and sleep_speed == 0.0:
+    if worlds_loss == 0.0 and sleep_speed == 0.0 and state["braked"] == 0:
         return
     for i in range(state["balls"]):
         ball = balls[i]
         if ball["asleep"] != 0:
             continue
+        friction = float(ball["friction"])
+        loss = worlds_loss if friction == OF_WORLD else friction * duration
         if loss > 0.0:
             slow_by_friction(ball, loss)
         vx, vy = float(ball["vx"]), float(ball["vy"])

@@ -29,7 +29,7 @@ DONE = 0
 NEEDS_ROOM = 1  # for hits or relations: `state["wanted_hits"]`, `state["wanted_relations"]`
 NEEDS_PAIRS = 2  # for pairs of balls, cells or members: `state["wanted_*"]`
 NOT_FINITE = 3  # the state is as it was before the step
-REFUSED = 4  # a radius or mass was made zero or negative through a view
+REFUSED = 4  # a radius, mass, elasticity or friction was made what it may not be through a view
 HAS_STRAYS = 5  # balls that left the bounds are to be removed; the step is complete
 
 # Where a step is; a kernel that ran out of room goes on from here.
@@ -138,6 +138,7 @@ STATE = np.dtype(
         ("found", "i8"),  # overlaps that this iteration has met
         ("step_hits", "i8"),  # hits there were when the step began
         ("outside", "i8"),  # balls wholly outside of the bounds
+        ("braked", "i8"),  # balls with a friction of their own
         ("wanted_hits", "i8"),
         ("wanted_relations", "i8"),
         ("wanted_pairs", "i8"),

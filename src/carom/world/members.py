@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows import BALL, Motion, Rows
+from carom.rows import ALL_LAYERS, BALL, Motion, Rows
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
@@ -140,6 +140,11 @@ class Members:
         radius: ArrayLike | None = None,
         mass: ArrayLike = 1.0,
         elasticity: ArrayLike = 1.0,
+        friction: ArrayLike | None = None,
+        layer: ArrayLike = 1,
+        collides_with: ArrayLike = ALL_LAYERS,
+        sensor: ArrayLike = False,
+        can_collide: ArrayLike = True,
     ) -> NDArray[np.int64]:
         """The ids of balls added all at once.
 
@@ -149,12 +154,19 @@ class Members:
             radius: Of shape (n,), or one number for all; positive. Must be given.
             mass: Likewise.
             elasticity: Likewise, 0 or more.
+            friction: Likewise, in length/s²; -1 where it is the world's. None: it is that for all.
+            layer: The layers that they are on, masks of 32 bits: of shape (n,), or one for all.
+            collides_with: The layers that they meet, likewise.
+            sensor: Whether they only report what overlaps them; of shape (n,), or one for all.
+            can_collide: Whether they meet anything at all, likewise.
 
         Raises:
-            InvalidArgument: Something has another shape, is not finite, or not positive where it must be; or a ball's
-                box is not finite.
+            InvalidArgument: Something has another shape, is not finite, or not what it must be; or a ball's box is not
+                finite. None has been added then.
         """
-        rows = new_balls(position, velocity, radius, mass, elasticity)
+        rows = new_balls(
+            position, velocity, radius, mass, elasticity, friction, layer, collides_with, sensor, can_collide
+        )
         count = len(rows)
         table = self._room.balls
         table.reserve(table.count + count, doubling=False)

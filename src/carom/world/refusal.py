@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from carom.errors import InvalidArgument, NonFiniteState
-from carom.rows import Rows
+from carom.rows import OF_WORLD, Rows
 from carom.world.layout import NOT_FINITE, REFUSED
-from carom.world.safety import is_sound
+from carom.world.safety import is_measured, is_sound
 from carom.world.tables import Room
 
 
@@ -15,12 +13,24 @@ def refusal(status: int, room: Room) -> InvalidArgument | NonFiniteState:
     """The exception for a step that came back with `status`; everything is as it was before the step."""
     balls = room.balls.used
     if status == REFUSED:
-        bad = balls[(balls["radius"] <= 0.0) | (balls["mass"] <= 0.0)]
-        return InvalidArgument(f"radius and mass must be positive, not those of balls {_ids(bad)}")
+        return _not_allowed(balls)
     assert status == NOT_FINITE
-    bad = balls[[not (is_sound(row) and np.isfinite(row["radius"] + row["mass"])) for row in balls]]
+    bad = balls[[not (is_sound(row) and is_measured(row)) for row in balls]]
     which = f"balls {_ids(bad)} are not finite" if len(bad) else _overflowed(room)
     return NonFiniteState(f"{which}; the world is as it was before the step")
+
+
+def _not_allowed(balls: Rows) -> InvalidArgument:
+    """The exception that names the first column with values that it may not have, and the balls that have them."""
+    friction = balls["friction"]
+    rules = {
+        "radius": ("must be positive", balls["radius"] <= 0.0),
+        "mass": ("must be positive", balls["mass"] <= 0.0),
+        "elasticity": ("must not be negative", balls["elasticity"] < 0.0),
+        "friction": (f"must be 0 or more, or {OF_WORLD:g} for the world's", (friction < 0.0) & (friction != OF_WORLD)),
+    }
+    name, must, bad = next((name, must, bad) for name, (must, bad) in rules.items() if bad.any())
+    return InvalidArgument(f"{name} {must}, not {float(balls[name][bad][0])} as for balls {_ids(balls[bad])}")
 
 
 def _overflowed(room: Room) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from carom.rows import Row, Rows
+from math import inf
+
+from carom.rows import OF_WORLD, Row, Rows
 from carom.world.layout import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, REFUSED
 from carom.world.motion import wake_all
 
@@ -16,6 +18,21 @@ def is_sound(ball: Row) -> bool:
     """True if a ball's place and velocity are finite."""
     moving = is_finite(float(ball["x"])) and is_finite(float(ball["y"]))
     return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
+
+
+def is_measured(ball: Row) -> bool:
+    """True if a ball's radius, mass, elasticity and friction are finite."""
+    size = is_finite(float(ball["radius"])) and is_finite(float(ball["mass"]))
+    return size and is_finite(float(ball["elasticity"])) and is_finite(float(ball["friction"]))
+
+
+def is_allowed(ball: Row) -> bool:
+    """True if a ball's radius, mass, elasticity and friction are finite and what they may be."""
+    friction = float(ball["friction"])
+    fit = (
+        0.0 < float(ball["radius"]) < inf and 0.0 < float(ball["mass"]) < inf and 0.0 <= float(ball["elasticity"]) < inf
+    )
+    return fit and (friction == OF_WORLD or 0.0 <= friction < inf)
 
 
 def is_in_reach(shape: Row) -> bool:
@@ -36,14 +53,14 @@ def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows
     """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
     state = states[0]
     largest = 0.0
+    braked = 0
     for i in range(state["balls"]):
         ball = balls[i]
-        radius, mass = float(ball["radius"]), float(ball["mass"])
-        if not (is_sound(ball) and is_finite(radius) and is_finite(mass)):
-            return NOT_FINITE
-        if radius <= 0.0 or mass <= 0.0:
-            return REFUSED
-        largest = max(largest, radius)
+        if not (is_sound(ball) and is_allowed(ball)):
+            return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
+        largest = max(largest, float(ball["radius"]))
+        if ball["friction"] != OF_WORLD:
+            braked += 1
     if state["sleeping"] > 0 and state["wake"] == 0 and was_changed(state, balls, saved):
         state["wake"] = 1
     state["step_hits"] = state["hits"]
@@ -56,6 +73,7 @@ def begin_step(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows
         state["index_stale"] = 1
     state["substep"] = 0
     state["outside"] = 0
+    state["braked"] = braked
     state["stage_entered"] = 0
     state["stage"] = MOVE
     return DONE

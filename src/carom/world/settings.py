@@ -189,7 +189,12 @@ class Settings:
         "total_restitution",
         "What elasticity scales: the normal velocity, or all of it (`total`; static and kinematic shapes).",
     )
-    friction = scalar(0.0, checks.non_negative, "friction", "Deceleration of every ball, in length/s².")
+    friction = scalar(
+        0.0,
+        checks.non_negative,
+        "friction",
+        "Deceleration of every ball that has no friction of its own, in length/s².",
+    )
     sleep_speed = scalar(0.0, checks.non_negative, "sleep_speed", "Speed below which a ball may fall asleep.")
     sleep_time = scalar(0.5, checks.non_negative, "sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")
     rest_speed = optional(

@@ -57,6 +57,8 @@ def _payload(world: World) -> bytes:
         state[field] = 0
     balls = room.balls.used.copy()
     balls["relation"] = NO_RELATION
+    for field in ("sensor", "can_collide"):
+        balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
     relations = np.array(relations_in_order(room), "i8").reshape(-1, 3)
     text = np.frombuffer(json.dumps(_header(world), sort_keys=True).encode(), "u1")
     file = io.BytesIO()

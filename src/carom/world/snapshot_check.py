@@ -92,7 +92,6 @@ def _check_state(contents: Contents) -> None:
 def _check_balls(balls: Rows) -> None:
     """Nothing; raises where what only balls' setters write is wrong. What views may write, the next step checks."""
     need((balls["relation"] == NO_RELATION).all(), "balls with relations of their own")
-    need((np.isfinite(balls["elasticity"]) & (balls["elasticity"] >= 0.0)).all(), "balls with a bad elasticity")
     need((np.isfinite(balls["still_time"]) & (balls["still_time"] >= 0.0)).all(), "balls with a bad time of rest")
     for field in ("sensor", "can_collide", "asleep", "stray"):
         need((balls[field] <= 1).all(), "balls with bad switches")

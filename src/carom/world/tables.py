@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows import ALL_LAYERS, BALL, KINEMATIC, NO_RELATION, SHAPE, Row, Rows
+from carom.rows import BALL, KINEMATIC, NO_RELATION, OF_WORLD, SHAPE, Row, Rows
 from carom.shapes.table import Owner, Table
 from carom.world.layout import CELL, DISCRETE, FLIGHT, HIT, HIT_ROW, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
 
@@ -172,7 +172,16 @@ class Room:
 
 
 def new_balls(
-    position: ArrayLike, velocity: ArrayLike, radius: ArrayLike | None, mass: ArrayLike, elasticity: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    radius: ArrayLike | None,
+    mass: ArrayLike,
+    elasticity: ArrayLike,
+    friction: ArrayLike | None,
+    layer: ArrayLike,
+    collides_with: ArrayLike,
+    sensor: ArrayLike,
+    can_collide: ArrayLike,
 ) -> Rows:
     """The rows of balls that are not in a table yet, without ids; raises `InvalidArgument` for bad arguments."""
     places = checks.array("position", position, (-1, 2))
@@ -183,15 +192,18 @@ def new_balls(
     rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
     rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
     rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
+    given = OF_WORLD if friction is None else friction
+    rows["friction"] = checks.array("friction", given, (count,), least=0.0, besides=OF_WORLD)
+    rows["layer"] = checks.masks("layer", layer, count)
+    rows["collides_with"] = checks.masks("collides_with", collides_with, count)
+    rows["sensor"] = checks.flags("sensor", sensor, count)
+    rows["can_collide"] = checks.flags("can_collide", can_collide, count)
+    rows["relation"] = NO_RELATION
     with np.errstate(over="ignore"):
         far = ~np.isfinite(np.abs(places).T + rows["radius"]).all(axis=0)
     if far.any():
         first = int(np.argmax(far))
         raise checks.refuse(f"position[{first}]", "must leave the ball's box finite", tuple(places[first].tolist()))
-    rows["layer"] = 1
-    rows["collides_with"] = ALL_LAYERS
-    rows["can_collide"] = 1
-    rows["relation"] = NO_RELATION
     return rows
 
 

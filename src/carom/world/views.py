@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 class Balls(Sequence["Ball"]):
     """The balls of a world in the order in which they were added.
 
-    Columns are views of the world's own rows, without a copy: writing to them acts at once (and is checked when the
-    next step begins). They are valid until balls are added or removed.
+    Columns are views of the world's own rows, without a copy: writing to them acts at once, as setting the balls' own
+    attributes does, and is checked when the next step begins. They are valid until balls are added or removed.
     """
 
     __slots__ = ("_world",)
@@ -70,44 +70,99 @@ class Balls(Sequence["Ball"]):
         """Velocities in length/s, a writable view of shape (n, 2)."""
         return self._pairs("vx")
 
-    @property
-    def radius(self) -> NDArray[np.float64]:
-        """Radii, a writable view of shape (n,)."""
+    def _lent(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
+        """A column, noted as it is now, for it may be written to from now on."""
         lend(self._world)
-        column: NDArray[np.float64] = self._world._room.balls.used["radius"]
+        column: NDArray[Any] = self._world._room.balls.used[field].view(dtype)
+        return column
+
+    def _shown(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
+        """A column that cannot be written to."""
+        column: NDArray[Any] = self._world._room.balls.used[field].view(dtype)
+        column.flags.writeable = False
         return column
 
     @property
+    def radius(self) -> NDArray[np.float64]:
+        """Radii, positive: a writable view of shape (n,)."""
+        return self._lent("radius", np.float64)
+
+    @property
     def mass(self) -> NDArray[np.float64]:
-        """Masses, a writable view of shape (n,)."""
-        lend(self._world)
-        column: NDArray[np.float64] = self._world._room.balls.used["mass"]
-        return column
+        """Masses, positive: a writable view of shape (n,)."""
+        return self._lent("mass", np.float64)
+
+    @property
+    def elasticity(self) -> NDArray[np.float64]:
+        """Elasticities, 0 or more: a writable view of shape (n,)."""
+        return self._lent("elasticity", np.float64)
+
+    @property
+    def friction(self) -> NDArray[np.float64]:
+        """Frictions in length/s², 0 or more, or -1 where it is the world's: a writable view of shape (n,).
+
+        A ball's own `friction` is None there.
+        """
+        return self._lent("friction", np.float64)
+
+    @property
+    def layer(self) -> NDArray[np.uint32]:
+        """The layers that each is on, masks of 32 bits: a writable view of shape (n,)."""
+        return self._lent("layer", np.uint32)
+
+    @property
+    def collides_with(self) -> NDArray[np.uint32]:
+        """The layers that each meets, masks of 32 bits: a writable view of shape (n,)."""
+        return self._lent("collides_with", np.uint32)
+
+    @property
+    def sensor(self) -> NDArray[np.bool_]:
+        """Whether each only reports what overlaps it: a writable view of shape (n,)."""
+        return self._lent("sensor", np.bool_)
+
+    @property
+    def can_collide(self) -> NDArray[np.bool_]:
+        """Whether each meets anything at all: a writable view of shape (n,)."""
+        return self._lent("can_collide", np.bool_)
+
+    @property
+    def asleep(self) -> NDArray[np.bool_]:
+        """Whether each sleeps: a read-only view of shape (n,)."""
+        return self._shown("asleep", np.bool_)
 
     @property
     def id(self) -> NDArray[np.int64]:
         """Ids, a read-only view of shape (n,), ascending."""
-        column: NDArray[np.int64] = self._world._room.balls.used["id"]
-        column.flags.writeable = False
-        return column
+        return self._shown("id", np.int64)
+
+
+#: The columns that may be written to, but for places and velocities, which a step itself compares.
+LENT = ["radius", "mass", "elasticity", "friction", "layer", "collides_with", "sensor", "can_collide"]
 
 
 def lend(world: World) -> None:
-    """Nothing; notes radii and masses as they are now, for they may be written to from now on."""
+    """Note the columns as they are now, for they may be written to from now on."""
     see_lent(world)
-    world._lent = world._room.balls.used[["radius", "mass"]].copy()
+    if world._lent is None:
+        note_lent(world)
+
+
+def note_lent(world: World) -> None:
+    """Note the lent columns; none of them while no ball sleeps, for then a change has nobody to wake."""
+    rows = world._room.balls.used
+    world._lent = rows[LENT].copy() if world._states[0]["sleeping"] else rows[LENT][:0]
 
 
 def see_lent(world: World) -> None:
-    """Nothing; wakes all balls if radii or masses that were lent have been written to."""
+    """Wake all balls if columns that were lent have been written to."""
     lent, rows = world._lent, world._room.balls.used
-    if lent is None:
+    if lent is None or not world._states[0]["sleeping"]:
         return
     if len(lent) != len(rows):
         world._lent = None
-    elif not np.array_equal(lent, rows[["radius", "mass"]]):
+    elif not np.array_equal(lent, rows[LENT]):
         world._states[0]["wake"] = 1
-        world._lent = rows[["radius", "mass"]].copy()
+        note_lent(world)
 
 
 class Shapes(Sequence["Shape | Compound"]):

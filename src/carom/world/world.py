@@ -26,7 +26,7 @@ from carom.world.settings import SETTINGS, Settings, Sides
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
 from carom.world.tables import Room, clear_kernel_place
-from carom.world.views import see_lent
+from carom.world.views import note_lent, see_lent
 
 #: The kernel of each detection's step.
 STEP_KERNELS = ("discrete.step_discrete", "continuous.step_continuous")
@@ -98,7 +98,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """Every hit of one step of `dt` seconds (not negative), in order of time.
 
         Raises:
-            InvalidArgument: `dt` is negative or not finite, or a radius or mass was made so through a view.
+            InvalidArgument: `dt` is negative or not finite, or a column of `balls` was given what a ball may not have.
             NonFiniteState: The state holds NaN or infinity; it is as it was before the step.
         """
         length = checks.non_negative("dt", dt)
@@ -191,6 +191,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             clear_kernel_place(state)
             self._arguments = None
             raise
+        finally:
+            if self._lent is not None:
+                note_lent(self)
         if not self._removed:
             return Hits.of(self, self._take_hits()) if state["hits"] else self._no_hits
         rows = self._take_hits()

@@ -254,3 +254,15 @@ def test_the_example_of_the_module_makes_a_file(tmp_path: Path) -> None:
     path = tmp_path / "toy.svg"
     path.write_text(draw.svg(draw.picture_of(carom.scenes.toy().build(), "Toy"), draw.ThemeName.DARK), encoding="utf-8")
     assert ElementTree.parse(path).getroot().get("width")
+
+
+def test_a_picture_needs_no_name_and_wakes_nobody() -> None:
+    sleepy = world_of(carom.Ball((0, 0), 1), carom.Ball((5, 0), 1))
+    sleepy.sleep_speed = 1.0
+    sleepy.run(1.0)
+    for world in (carom.World(), world_of(carom.Point((0, 0))), sleepy):
+        before, asleep = world.digest(), world.statistics.sleeping
+        assert words(ElementTree.fromstring(draw.svg(draw.picture_of(world))))[0] == "World"
+        assert world.digest() == before
+        world.step(0.001)
+        assert world.statistics.sleeping == asleep

@@ -16,6 +16,7 @@ from carom.world.settings import SETTINGS, Setting
 from tests.sample_worlds import crowded, quiet
 from tests.unit.test_bad_input import (
     NO_FLAGS,
+    NO_MASKS,
     NO_NUMBERS,
     NO_VECTORS,
     Case,
@@ -31,6 +32,12 @@ NO_SIZES = [*NO_NUMBERS, -1e-9, -1]
 NO_ARRAYS = [NAN, INF, "1", None, True, 1j, {}, [[1, 2], [3]], ..., [None], ["1"], [True, True], 10**400]
 
 NO_PLACES = [NAN, INF, "1", None, True, {}, ..., (NAN, 0), (0, INF), (1, 2, 3), [(1, NAN)], [(1, 2, 3)]]
+
+
+def each_alone(values: list[Any]) -> list[Any]:
+    """Values for an argument that takes any number: each by itself, and behind one that is right."""
+    return [*([value] for value in values), *([carom.Point((1, 2)), value] for value in values)]
+
 
 BAD: dict[str, list[Any]] = {
     # settings
@@ -50,13 +57,18 @@ BAD: dict[str, list[Any]] = {
     "bounds": [5, "abcd", (1, 2, 3), (NAN, 0, 1, 1), (2, 0, 1, 1), (0, 2, 1, 1), {1, 2, 3, 4}, {1: 1}, (0, 0, INF, 1)],
     "remove_strays": NO_FLAGS,
     # methods
-    "shape": [None, 5, "wall", carom.Segment, (0, 0), carom.World()],
-    "remove.shape": [None, 5, "wall", carom.Ball((0, 0), 1), carom.Compound([], (0, 0)), quiet().balls[0]],
+    "add.shapes": each_alone([None, 5, "wall", carom.Segment, (0, 0), carom.World(), [carom.Point((0, 0))]]),
+    "remove.shapes": each_alone([None, 5, "wall", carom.Ball((0, 0), 1), carom.Compound([], (0, 0)), quiet().balls[0]]),
     "position": [*NO_ARRAYS, 5, (1, 2), [(1, 2, 3)], [(1, NAN)], [(0, INF)], np.zeros((2, 2, 2))],
     "velocity": [*NO_ARRAYS, (1, 2, 3), [(1, 2)] * 3, [(NAN, 0), (0, 0)]],
     "radius": [*NO_ARRAYS, 0, -1, -0.0, [1, 2, 3], [1, 0], [[1, 1]]],
     "mass": [*NO_ARRAYS, 0, -1, [1, 2, 3], [1, -1], [1, INF]],
     "elasticity": [*NO_ARRAYS, -1, -1e-9, [1, 2, 3], [0, -1]],
+    "add_balls.friction": [*(bad for bad in NO_ARRAYS if bad is not None), -2, -1e-9, [1, 2, 3], [0, -0.5]],
+    "add_balls.layer": [*NO_MASKS, [1, 2, 3], [1, -1], [1, 2**32], [1.0, 2.0], [[1, 1]], [True, True], ["1"], 2**70],
+    "add_balls.collides_with": [*NO_MASKS, [1, 2, 3], [1, -1], [1, 2**32], [1.0, 2.0], [[1, 1]], [True, True], ["1"]],
+    "sensor": [*NO_FLAGS, [True] * 3, [0, 1], [[True, True]], ["yes", "no"], [1.0, 0.0], NAN],
+    "can_collide": [*NO_FLAGS, [True] * 3, [0, 1], [[True, True]], ["yes", "no"], [1.0, 0.0], NAN],
     "member_id": [0, 10**6, -1, 1.0, "1", None, True, 2**70],
     "dt": NO_SIZES,
     "run.dt": [*NO_SIZES, 0, 0.0],
@@ -78,8 +90,8 @@ BAD: dict[str, list[Any]] = {
 }
 
 GOOD: dict[str, Callable[[carom.World], dict[str, Any]]] = {
-    "add": lambda world: {"shape": carom.Point((1, 2))},
-    "remove": lambda world: {"shape": world.balls[0]},
+    "add": lambda world: {"shapes": [carom.Point((1, 2)), carom.Ball((3, 4), 0.5)]},
+    "remove": lambda world: {"shapes": [world.balls[0], world.shapes[0]]},
     "add_balls": lambda world: {"position": [(1, 2), (3, 4)], "radius": 0.5},
     "object": lambda world: {"member_id": world.balls[0].id},
     "step": lambda world: {"dt": 0.1},
@@ -159,20 +171,28 @@ def give(world: carom.World, owner: str, called: str, argument: str, value: Any)
     if owner == "carom":
         carom.World(**{argument: value})
     elif called:
-        getattr(world, called)(**(good_arguments(called, world) | {argument: value}))
+        call(world, called, good_arguments(called, world) | {argument: value})
     else:
         set_attribute(world, **{argument: value})
 
 
+def call(world: carom.World, called: str, arguments: dict[str, Any]) -> None:
+    """Nothing; calls a method, `shapes` being its arguments without a name."""
+    named = {name: value for name, value in arguments.items() if name != "shapes"}
+    getattr(world, called)(*arguments.get("shapes", []), **named)
+
+
 def told_name(argument: str) -> str:
     """How messages begin that name a place in an argument, or what is wrong with something too long to show."""
-    return {"member_id": "id", "bounds": "bounds: ", "snapshot": "snapshot"}.get(argument, f"{argument}[")
+    return {"shapes": "shape", "member_id": "id", "bounds": "bounds: ", "snapshot": "snapshot"}.get(
+        argument, f"{argument}["
+    )
 
 
 @pytest.mark.parametrize("called", methods(carom.World))
 def test_good_input_is_taken(called: str) -> None:
     world = crowded(balls=2)
-    getattr(world, called)(**good_arguments(called, world))
+    call(world, called, good_arguments(called, world))
 
 
 def test_the_settings_are_the_attributes_that_can_be_set() -> None:

@@ -145,7 +145,7 @@ def test_a_bad_size_that_was_written_is_refused_by_the_next_step(name: str, valu
     world = filled()
     getattr(world.balls, name)[1] = value
     before = world.digest()
-    with pytest.raises(carom.InvalidArgument, match=r"radius and mass must be positive.* 2$"):
+    with pytest.raises(carom.InvalidArgument, match=rf"^{name} must be positive, not {value} as for balls 2$"):
         world.step(0.1)
     assert world.digest() == before
     getattr(world.balls, name)[1] = 1.0
