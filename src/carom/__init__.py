@@ -25,6 +25,7 @@ from carom.errors import (
     SceneError,
     SnapshotError,
     UnknownName,
+    WorldBusy,
 )
 from carom.rows import Motion
 from carom.shapes.aabb import Aabb
@@ -80,6 +81,7 @@ __all__ = [
     "SnapshotError",
     "UnknownName",
     "World",
+    "WorldBusy",
     "__version__",
     "angle_to_vector",
     "draw",

@@ -39,6 +39,10 @@ class NonFiniteState(CaromError, ValueError):
     """A world's state holds NaN or infinity; the message names the balls."""
 
 
+class WorldBusy(CaromError, RuntimeError):
+    """A world was stepped, changed or asked while it was in use, by another thread or by what called this."""
+
+
 class LostObject(CaromError, LookupError):
     """A hit or an answer names what is not at hand: it left the world for good, or the world was not pickled along."""
 

@@ -12,6 +12,7 @@ from carom.shapes.pose import derive
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
@@ -61,6 +62,7 @@ class Arc(RoundShape):
         return float(self._row["start_angle"])
 
     @start_angle.setter
+    @changing
     def start_angle(self, value: float) -> None:
         self._set_angle("start_angle", value, "end_angle")
 
@@ -70,6 +72,7 @@ class Arc(RoundShape):
         return float(self._row["end_angle"])
 
     @end_angle.setter
+    @changing
     def end_angle(self, value: float) -> None:
         self._set_angle("end_angle", value, "start_angle")
 
@@ -86,10 +89,12 @@ class Arc(RoundShape):
         return self.start_angle, self.end_angle
 
     @angles.setter
+    @changing
     def angles(self, value: Pair) -> None:
         start, end = pair("angles", value)
         self._set_angles(("angles[0]", start), ("angles[1]", end))
 
+    @changing
     def set_angles(self, start_angle: float, end_angle: float) -> None:
         """Set both angles at once, as `arc.angles = (start_angle, end_angle)` does.
 

@@ -18,6 +18,7 @@ from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.turns import changing
 from carom.typing import Pair, Restitution, Vector
 
 
@@ -101,6 +102,7 @@ class Ball(Round):
         return float(row["x"]), float(row["y"])
 
     @position.setter
+    @changing
     def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         self._write(self._with("position", value, x=x, y=y))
@@ -111,6 +113,7 @@ class Ball(Round):
         return self.position
 
     @center.setter
+    @changing
     def center(self, value: Pair) -> None:
         x, y = pair("center", value)
         self._write(self._with("center", value, x=x, y=y))
@@ -122,6 +125,7 @@ class Ball(Round):
         return float(row["vx"]), float(row["vy"])
 
     @velocity.setter
+    @changing
     def velocity(self, value: Pair) -> None:
         vx, vy = pair("velocity", value)
         self._write(self._with("velocity", value, vx=vx, vy=vy))
@@ -132,6 +136,7 @@ class Ball(Round):
         return float(self._row["radius"])
 
     @radius.setter
+    @changing
     def radius(self, value: float) -> None:
         self._write(self._with("radius", value, radius=positive("radius", value)))
 
@@ -141,6 +146,7 @@ class Ball(Round):
         return float(self._row["mass"])
 
     @mass.setter
+    @changing
     def mass(self, value: float) -> None:
         self._put("mass", positive("mass", value))
 
@@ -182,6 +188,7 @@ class Ball(Round):
         return closest_on_circle(*self.position, self.radius, x, y)
 
     @spelled
+    @changing
     def move(self, dt: float, gravity: Pair = (0.0, 0.0)) -> None:
         """Nothing; moves the ball freely for `dt` seconds (not negative), on the exact parabola of constant gravity.
 
@@ -200,6 +207,7 @@ class Ball(Round):
         return detect_pair(self, ball)
 
     @spelled
+    @changing
     def respond(self, contact: Contact, restitution: Restitution = "normal") -> None:
         """Nothing; does what follows from a contact of this ball: moves it out of the shape and turns its velocity.
 

@@ -10,6 +10,7 @@ from carom.rows import CIRCLE
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
@@ -42,6 +43,7 @@ class Circle(RoundShape):
         return bool(self._row["solid"])
 
     @solid.setter
+    @changing
     def solid(self, value: bool) -> None:
         self._put("solid", flag("solid", value))
 

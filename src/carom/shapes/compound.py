@@ -18,6 +18,7 @@ from carom.shapes.point import Point
 from carom.shapes.pose import set_initial
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 #: What a compound may say for all parts about their surface.
@@ -36,13 +37,14 @@ def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
     def read(compound: Compound) -> Any:
         return compound._surface.get(name)
 
+    @changing
     def write(compound: Compound, value: Any) -> None:
         if value is None:
             compound._surface.pop(name, None)
             return
         compound._surface[name] = check(name, value)
         for shape in compound.shapes:
-            setattr(shape, name, compound._surface[name])
+            shape._put(name, compound._surface[name])
 
     return property(
         read, write, doc=f"The {name} that was set for all parts, also those added later; None leaves it to each part."
@@ -134,6 +136,7 @@ class Compound(Group):
     def __contains__(self, shape: object) -> bool:
         return isinstance(shape, Shape) and shape.compound is self
 
+    @changing
     def add(self, shape: Shape) -> Shape:
         """`shape`, now a part: what was set on the compound holds for it too, and it is in the compound's world.
 
@@ -141,7 +144,7 @@ class Compound(Group):
         """
         self._take("shape", [shape])
         if self.world is not None and shape.world is None:
-            self.world.add(shape)
+            self.world._take_in((shape,))
         return shape
 
     def _take(self, name: str, shapes: list[Shape]) -> None:
@@ -154,7 +157,7 @@ class Compound(Group):
             shape._compound = self
             self._parts.append(shape)
             for name, value in self._surface.items():
-                setattr(shape, name, value)
+                shape._put(name, value)
 
     def _part_row(self, name: str, shape: Shape) -> Row:
         """The row that `shape` has as a part of this compound; raises where it cannot be one."""
@@ -183,6 +186,7 @@ class Compound(Group):
         return self._name
 
     @name.setter
+    @changing
     def name(self, value: str | None) -> None:
         self._name = text_or_none("name", value)
 

@@ -10,6 +10,7 @@ from carom.rows import Motion, Row
 from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.shape import Shape
 from carom.spelling import Spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
@@ -39,6 +40,7 @@ class Group(Spelled):
         return self.center_point.position
 
     @position.setter
+    @changing
     def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         from_x, from_y = self.position
@@ -53,6 +55,7 @@ class Group(Spelled):
         return self.center_point.pivot
 
     @pivot.setter
+    @changing
     def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         rows = [part._hung("pivot", value, x, y) for part in self._parts]
@@ -66,9 +69,11 @@ class Group(Spelled):
         return self.center_point.orientation
 
     @orientation.setter
+    @changing
     def orientation(self, value: float) -> None:
         self._turn("orientation", value, *self.pivot)
 
+    @changing
     def rotate(self, pivot: Pair, angle: float) -> None:
         """Turn all parts from their initial geometry by `angle` radians about `pivot`, which becomes the pivot.
 
@@ -81,6 +86,7 @@ class Group(Spelled):
         angle = number(name, value)
         self._write([part._turned(name, value, x, y, angle) for part in self._parts])
 
+    @changing
     def reset(self) -> None:
         """Restore the initial geometry of all parts, and the initial pivot, bit for bit, and with them their place."""
         self._write([part._restored() for part in self._parts])
@@ -102,6 +108,7 @@ class Group(Spelled):
         return self.center_point.angular_velocity
 
     @angular_velocity.setter
+    @changing
     def angular_velocity(self, value: float) -> None:
         self._forward(write_angular_velocity, value)
 
@@ -111,6 +118,7 @@ class Group(Spelled):
         return self.center_point.rotating
 
     @rotating.setter
+    @changing
     def rotating(self, value: bool) -> None:
         self._forward(write_rotating, value)
 
@@ -120,6 +128,7 @@ class Group(Spelled):
         return self.center_point.turn_limits
 
     @turn_limits.setter
+    @changing
     def turn_limits(self, value: Pair | None) -> None:
         self._forward(write_turn_limits, value)
 
@@ -129,6 +138,7 @@ class Group(Spelled):
         return self.center_point.velocity
 
     @velocity.setter
+    @changing
     def velocity(self, value: Pair) -> None:
         self._forward(write_velocity, value)
 

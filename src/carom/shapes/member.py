@@ -14,6 +14,7 @@ from carom.shapes.aabb import Aabb
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.table import Home, Table
 from carom.spelling import Spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 if TYPE_CHECKING:
@@ -159,6 +160,7 @@ class Member(Spelled, ABC):
         return self._name
 
     @name.setter
+    @changing
     def name(self, value: str | None) -> None:
         self._name = text_or_none("name", value)
 
@@ -168,6 +170,7 @@ class Member(Spelled, ABC):
         return float(self._row["elasticity"])
 
     @elasticity.setter
+    @changing
     def elasticity(self, value: float) -> None:
         self._put("elasticity", non_negative("elasticity", value))
 
@@ -177,6 +180,7 @@ class Member(Spelled, ABC):
         return bool(self._row["sensor"])
 
     @sensor.setter
+    @changing
     def sensor(self, value: bool) -> None:
         self._put("sensor", flag("sensor", value))
 
@@ -186,6 +190,7 @@ class Member(Spelled, ABC):
         return bool(self._row["can_collide"])
 
     @can_collide.setter
+    @changing
     def can_collide(self, value: bool) -> None:
         self._put("can_collide", flag("can_collide", value))
 
@@ -195,6 +200,7 @@ class Member(Spelled, ABC):
         return int(self._row["layer"])
 
     @layer.setter
+    @changing
     def layer(self, value: int) -> None:
         self._put("layer", layers("layer", value))
 
@@ -204,6 +210,7 @@ class Member(Spelled, ABC):
         return int(self._row["collides_with"])
 
     @collides_with.setter
+    @changing
     def collides_with(self, value: int) -> None:
         self._put("collides_with", layers("collides_with", value))
 

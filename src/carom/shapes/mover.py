@@ -13,6 +13,7 @@ from carom.shapes.member import Member
 from carom.shapes.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.table import Home, Table
+from carom.turns import changing
 from carom.typing import MotionName, Pair, Vector
 
 if TYPE_CHECKING:
@@ -141,6 +142,7 @@ class Mover(Member):
         return float(row["cx"]), float(row["cy"])
 
     @position.setter
+    @changing
     def position(self, value: Pair) -> None:
         self._put_at("position", value)
 
@@ -162,6 +164,7 @@ class Mover(Member):
         return float(row["pivot_x"]), float(row["pivot_y"])
 
     @pivot.setter
+    @changing
     def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         self._refuse_part("pivot", value)
@@ -172,6 +175,7 @@ class Mover(Member):
         """How far it has turned since its initial geometry, in radians; not brought to any range."""
         return float(self._row["orientation"])
 
+    @changing
     def rotate(self, pivot: Pair, angle: float) -> None:
         """Turn the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
 
@@ -192,6 +196,7 @@ class Mover(Member):
             raise refuse("motion", "must be 'kinematic' for a shape that is to turn", "static")
         self._write(self._turned("angle", angle, x, y, turn))
 
+    @changing
     def reset(self) -> None:
         """Restore the initial geometry and pivot, bit for bit, and with them its place. What moves it stays set."""
         self._refuse_part("reset", self)
@@ -213,6 +218,7 @@ class Mover(Member):
         return Motion(int(self._row["motion"]))
 
     @motion.setter
+    @changing
     def motion(self, value: MotionName | Motion) -> None:
         self._refuse_part("motion", value)
         write_motion(self._row, value)
@@ -224,6 +230,7 @@ class Mover(Member):
         return float(self._row["angular_velocity"])
 
     @angular_velocity.setter
+    @changing
     def angular_velocity(self, value: float) -> None:
         self._refuse_part("angular_velocity", value)
         write_angular_velocity(self._row, value)
@@ -235,6 +242,7 @@ class Mover(Member):
         return bool(self._row["rotating"])
 
     @rotating.setter
+    @changing
     def rotating(self, value: bool) -> None:
         self._refuse_part("rotating", value)
         write_rotating(self._row, value)
@@ -247,6 +255,7 @@ class Mover(Member):
         return (float(row["turn_low"]), float(row["turn_high"])) if row["turn_limited"] else None
 
     @turn_limits.setter
+    @changing
     def turn_limits(self, value: Pair | None) -> None:
         self._refuse_part("turn_limits", value)
         write_turn_limits(self._row, value)
@@ -259,6 +268,7 @@ class Mover(Member):
         return float(row["velocity_x"]), float(row["velocity_y"])
 
     @velocity.setter
+    @changing
     def velocity(self, value: Pair) -> None:
         self._refuse_part("velocity", value)
         write_velocity(self._row, value)

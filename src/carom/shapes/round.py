@@ -9,6 +9,7 @@ from carom.geometry.circle import circle_contains, common_tangents, tangent_poin
 from carom.shapes.member import Member
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
@@ -76,6 +77,7 @@ class RoundShape(Shape, Round):
         return self.position
 
     @center.setter
+    @changing
     def center(self, value: Pair) -> None:
         self._put_at("center", value)
 
@@ -85,5 +87,6 @@ class RoundShape(Shape, Round):
         return float(self._row["radius"])
 
     @radius.setter
+    @changing
     def radius(self, value: float) -> None:
         self._set_geometry("radius", value, radius=positive("radius", value))

@@ -10,6 +10,7 @@ from carom.rows import SEGMENT, Row
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
+from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
@@ -51,6 +52,7 @@ class Segment(Shape):
         return float(row["ax"]), float(row["ay"])
 
     @p0.setter
+    @changing
     def p0(self, value: Pair) -> None:
         self._put_p0("p0", value)
 
@@ -66,6 +68,7 @@ class Segment(Shape):
         return float(row["bx"]), float(row["by"])
 
     @p1.setter
+    @changing
     def p1(self, value: Pair) -> None:
         self._put_p1("p1", value)
 
@@ -80,6 +83,7 @@ class Segment(Shape):
         return self.p0
 
     @start.setter
+    @changing
     def start(self, value: Pair) -> None:
         self._put_p0("start", value)
 
@@ -89,9 +93,11 @@ class Segment(Shape):
         return self.p1
 
     @end.setter
+    @changing
     def end(self, value: Pair) -> None:
         self._put_p1("end", value)
 
+    @changing
     def set_ends(self, start: Pair, end: Pair) -> None:
         """Nothing; moves both ends at once. Raises `InvalidArgument` where they are equal."""
         (ax, ay), (bx, by) = two_ends(start, end)

@@ -14,6 +14,7 @@ from carom.shapes.detection import Contact, detect_shape
 from carom.shapes.mover import Mover
 from carom.shapes.pose import derive, set_initial
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+from carom.turns import changing
 from carom.typing import MotionName, Pair
 
 if TYPE_CHECKING:
@@ -129,6 +130,7 @@ class Shape(Mover):
         return float(self._row["kick"])
 
     @kick.setter
+    @changing
     def kick(self, value: float) -> None:
         self._put("kick", non_negative("kick", value))
 

@@ -19,6 +19,8 @@ class Owner(Protocol):
 class Home(Protocol):
     """What a shape or ball knows of the world that it is in."""
 
+    _free: list[None]
+
     def _changed(self, member: Any) -> None:
         """Called after a member's row was changed from outside, with the member."""
 

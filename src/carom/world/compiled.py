@@ -84,13 +84,18 @@ INTERVAL = 5.0
 
 _loaded: dict[str, Kernel] = {}
 
+#: Held by the thread that compiles; others, which may use other worlds, wait for it.
+_compiling = threading.RLock()
+
 
 def load(name: str) -> Kernel:
     """The kernel `module.function` of `carom.world`, compiled where Numba is there and not switched off."""
     if name not in _loaded:
-        module_name, function_name = name.rsplit(".", 1)
-        function = getattr(importlib.import_module(f"carom.world.{module_name}"), function_name)
-        _loaded[name] = _compile(function)
+        with _compiling:
+            if name not in _loaded:
+                module_name, function_name = name.rsplit(".", 1)
+                function = getattr(importlib.import_module(f"carom.world.{module_name}"), function_name)
+                _loaded[name] = _compile(function)
     return _loaded[name]
 
 
@@ -189,8 +194,15 @@ def cache_folder() -> Path:
 
 def _told(numba: Any, function: Kernel) -> Kernel:
     """The function, which on its first call is compiled, and tells on stderr how far that is and how long it took."""
+    compiled: list[Kernel] = []
 
     def first_call(*arguments: Any) -> Any:
+        with _compiling:
+            if not compiled:
+                return compiling_call(*arguments)
+        return compiled[0](*arguments)
+
+    def compiling_call(*arguments: Any) -> Any:
         kernel = _cached(numba, function)
         with (
             _Teller(function.__name__) as teller,
@@ -202,6 +214,7 @@ def _told(numba: Any, function: Kernel) -> Kernel:
                 # The disk is full, or what was kept there is damaged. Nothing has run yet: kernels raise nothing.
                 kernel = _uncached(numba, function)
                 result = kernel(*arguments)
+        compiled.append(kernel)
         _loaded.update({key: kernel for key, value in _loaded.items() if value is first_call})
         return result
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
@@ -15,6 +16,7 @@ from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.turns import alone, looking
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
@@ -28,6 +30,7 @@ from carom.world.views import Balls, Shapes, see_lent
 if TYPE_CHECKING:
     from carom.world.world import World
 
+R = TypeVar("R")
 T = TypeVar("T", bound=Shape | Ball | Compound)
 T2 = TypeVar("T2", bound=Shape | Ball | Compound)
 T3 = TypeVar("T3", bound=Shape | Ball | Compound)
@@ -58,6 +61,8 @@ class Members:
         self._arguments: tuple[Rows, ...] | None = None
         self._dt = -1.0
         self._lent: Rows | None = None
+        self._free: list[None] = [None]
+        self._watcher: int | None = None
         self._link = Link(self._world)
         self._no_hits = Hits.of(self._world, NO_ROWS)
 
@@ -96,6 +101,7 @@ class Members:
     def add(self, shape: T, second: T2, third: T3, fourth: T4, /) -> tuple[T, T2, T3, T4]: ...
     @overload
     def add(self, *shapes: T) -> tuple[T, ...]: ...
+    @alone
     def add(self, *shapes: Any) -> Any:
         """What was given, which is now in the world: shapes, compounds and balls, live views of their rows here.
 
@@ -105,6 +111,11 @@ class Members:
             InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound that is
                 not, or stands there twice. None has been added then.
         """
+        self._take_in(shapes)
+        return shapes[0] if len(shapes) == 1 else shapes
+
+    def _take_in(self, shapes: Sequence[Any]) -> None:
+        """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
         for table, kind in ((self._room.balls, Ball), (self._room.shapes, Shape)):
             table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
@@ -115,7 +126,6 @@ class Members:
                 self._added[each[0].id or 0] = shape
         if shapes:
             self._rearrange()
-        return shapes[0] if len(shapes) == 1 else shapes
 
     def _enter(self, member: Shape | Ball) -> None:
         """Give a member a row at the end of its table, where there is room for it."""
@@ -133,6 +143,7 @@ class Members:
         return np.arange(first, first + count, dtype=np.int64)
 
     @spelled
+    @alone
     def add_balls(
         self,
         position: ArrayLike,
@@ -176,6 +187,7 @@ class Members:
         self._rearrange()
         return rows["id"].copy()
 
+    @alone
     def remove(self, *shapes: Shape | Compound | Ball) -> None:
         """Take shapes, compounds and balls out of the world; the objects keep their last values.
 
@@ -203,7 +215,7 @@ class Members:
         return np.zeros(count, np.bool_)
 
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
-        """Nothing; detaches the objects of rows and takes the rows out."""
+        """Detach the objects of rows and take the rows out."""
         for table, gone in ((self._room.balls, balls), (self._room.shapes, shapes)):
             for member_id in table.used["id"][gone]:
                 member = self._objects.pop(int(member_id), None)
@@ -228,8 +240,8 @@ class Members:
         ball = self._objects.get(ball_id)
         if ball is None:
             place = self._room.balls.find(ball_id)
-            ball = Ball._of_row(self, self._room.balls, ball_id, place)
-            self._objects[ball_id] = ball
+            # Of two threads that ask for it at once, both are given the same.
+            ball = self._objects.setdefault(ball_id, Ball._of_row(self, self._room.balls, ball_id, place))
         assert isinstance(ball, Ball)
         return ball
 
@@ -242,6 +254,11 @@ class Members:
             with suppress(InvalidArgument):
                 found = self._ball_of(member_id)
         return found
+
+    @looking
+    def _look(self, do: Callable[..., R], *arguments: Any) -> R:
+        """What `do` returns, which looks at this world and has it to itself."""
+        return do(*arguments)
 
     # -- changes -----------------------------------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from carom.errors import InvalidArgument
 from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS, REASONS
 from carom.rows import Row
 from carom.shapes.aabb import Aabb
+from carom.turns import having
 from carom.typing import BroadPhase, Detection, Pair, Restitution, Vector
 
 if TYPE_CHECKING:
@@ -62,8 +63,11 @@ class Setting(Generic[T, S]):
         return self._read(world._states[0])
 
     def __set__(self, world: World, value: S) -> None:
-        checked = self.check(self.name, value)
-        self._write(world._states[0], checked)
+        having(world, self._set, world, self.check(self.name, value))
+
+    def _set(self, world: World, value: T) -> None:
+        """Write a value that was checked into the state of a world."""
+        self._write(world._states[0], value)
         world._changed_all()
 
 

@@ -151,7 +151,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
     for member in world._objects.values():
         member._name = None
     for key, name in contents.header["names"].items():
-        world.object(int(key)).name = name
+        world.object(int(key))._name = name
     compounds = _restore_compounds(world, contents)
     _regroup(world, compounds, left)
     centers = {compound.id: compound for compound in compounds}

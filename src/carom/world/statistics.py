@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from carom.turns import having
+
 if TYPE_CHECKING:
     from carom.world.world import World
 
@@ -82,6 +84,10 @@ class Statistics:
 
     def reset(self) -> None:
         """Set all counters but `sleeping` to 0."""
+        having(self._world, self._reset)
+
+    def _reset(self) -> None:
+        """Set the counters to 0, with the world to itself."""
         for name in COUNTERS:
             if name != "sleeping":
                 self._world._states[0][name] = 0

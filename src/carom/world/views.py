@@ -21,7 +21,9 @@ class Balls(Sequence["Ball"]):
     """The balls of a world in the order in which they were added.
 
     Columns are views of the world's own rows, without a copy: writing to them acts at once, as setting the balls' own
-    attributes does, and is checked when the next step begins. They are valid until balls are added or removed.
+    attributes does, and is checked when the next step begins. They are valid until balls are added or removed. While
+    the world is stepped none is handed out, and nobody may write to one that was: NumPy cannot be told to refuse it
+    (docs/threads.md).
     """
 
     __slots__ = ("_world",)
@@ -53,7 +55,11 @@ class Balls(Sequence["Ball"]):
         return f"<{len(self)} balls>"
 
     def _pairs(self, field: str) -> NDArray[np.float64]:
-        """Two columns that stand side by side, as an (n, 2) view."""
+        """Two columns that stand side by side, as an (n, 2) view, between two steps."""
+        return self._world._look(self._two_columns, field)
+
+    def _two_columns(self, field: str) -> NDArray[np.float64]:
+        """The view, with the world to itself."""
         rows = self._world._room.balls.used
         columns: Any = BALL.fields
         first = columns[field][1] // 8
@@ -72,6 +78,10 @@ class Balls(Sequence["Ball"]):
 
     def _lent(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
         """A column, noted as it is now, for it may be written to from now on."""
+        return self._world._look(self._lent_column, field, dtype)
+
+    def _lent_column(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
+        """The column, with the world to itself."""
         lend(self._world)
         column: NDArray[Any] = self._world._room.balls.used[field].view(dtype)
         return column
@@ -175,7 +185,7 @@ class Shapes(Sequence["Shape | Compound"]):
 
     def _all(self) -> list[Shape | Compound]:
         """What was added; a shape that has become part of a compound since is not one of them."""
-        return [shape for shape in self._world._added.values() if getattr(shape, "compound", None) is None]
+        return [shape for shape in list(self._world._added.values()) if getattr(shape, "compound", None) is None]
 
     def __len__(self) -> int:
         return len(self._all())

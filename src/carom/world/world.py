@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
+from threading import get_ident
 from typing import Any, Self
 
 import numpy as np
@@ -13,6 +14,7 @@ from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows import NO_RELATION, Rows
 from carom.spelling import Spelled, spelled
+from carom.turns import alone, busy, having, looking
 from carom.typing import BroadPhase, Detection, Pair, Restitution
 from carom.world import compiled
 from carom.world.copies import shallow, state_of, take_state
@@ -100,10 +102,20 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         Raises:
             InvalidArgument: `dt` is negative or not finite, or a column of `balls` was given what a ball may not have.
             NonFiniteState: The state holds NaN or infinity; it is as it was before the step.
+            WorldBusy: The world is in use, in another thread or by what has called this.
         """
         length = checks.non_negative("dt", dt)
-        self._departed.forget_oldest()
-        return self._advance(1, length)
+        # What `having` does, without the call: a step of one ball takes a few millionths of a second.
+        free = self._free
+        try:
+            del free[0]
+        except IndexError:
+            raise busy() from None
+        try:
+            self._departed.forget_oldest()
+            return self._advance(1, length)
+        finally:
+            free.append(None)
 
     @spelled
     def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:
@@ -112,7 +124,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         Args:
             seconds: How long, in seconds of the world's time; not negative.
             dt: The length of a step; positive.
-            progress: Called with the seconds done and the seconds in all, a few times a second.
+            progress: Called with the seconds done and the seconds in all, a few times a second. It may look at the
+                world and ask it; to change or step it is refused, for when it is called depends on the clock.
 
         Raises:
             As `step`; the steps before the one that failed have been made, their hits are in the exception's `hits`.
@@ -123,7 +136,10 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             raise checks.refuse("progress", "must be callable or None", progress)
         if total / length > MOST_STEPS:
             raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={dt!r}", seconds)
-        steps = round(total / length)
+        return having(self, self._run, round(total / length), length, progress)
+
+    def _run(self, steps: int, length: float, progress: Callable[[float, float], Any] | None) -> Hits:
+        """The hits of a number of steps, with the world to itself."""
         self._departed.forget_oldest()
         done = 0
         slice_steps = 1
@@ -141,7 +157,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
                 if hits._gone is not None:
                     gone.append(hits._gone)
                 if progress is not None:
-                    progress(done * length, steps * length)
+                    self._watched(progress, done * length, steps * length)
                 if took < SLICE_SECONDS:
                     slice_steps = 2 * slice_steps
                 elif took > 2.0 * SLICE_SECONDS:
@@ -157,6 +173,14 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         if left is not None:
             self._left = left
         return hits
+
+    def _watched(self, progress: Callable[[float, float], Any], done: float, total: float) -> None:
+        """Call the `progress` of a run, which may look at the world."""
+        self._watcher = get_ident()
+        try:
+            progress(done, total)
+        finally:
+            self._watcher = None
 
     def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
         """Nothing; leaves the hits of a run that was interrupted to the next step or run."""
@@ -237,10 +261,12 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     # -- state -------------------------------------------------------------------------------------------------------
 
+    @looking
     def snapshot(self) -> bytes:
         """The whole state as bytes; `restore` makes the very same world of them. Holds names, but not `user`."""
         return write_snapshot(self)
 
+    @alone
     def restore(self, snapshot: bytes) -> None:
         """Nothing; makes this world what it was when the snapshot was taken, to the bit.
 
@@ -251,6 +277,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """
         read_snapshot(self, snapshot)
 
+    @looking
     def digest(self) -> str:
         """A hash of the whole state, as 32 hexadecimal digits: equal where the snapshots are."""
         return digest_of(self)

@@ -32,6 +32,7 @@ class Home:
 
     def __init__(self) -> None:
         self.changed: list[Member] = []
+        self._free: list[None] = [None]
 
     def _changed(self, member: Member) -> None:
         self.changed.append(member)

@@ -1,0 +1,76 @@
+"""One thing at a time: what steps, changes or asks a world has it to itself, and who comes meanwhile is told so.
+
+A world has a token, in a list. Taking it out is one operation, which no other thread and no handler of a signal comes
+between, and costs a few dozen nanoseconds; a lock costs more, and one that is taken as a Ctrl-C arrives is never given
+back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from threading import get_ident
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+
+from carom.errors import WorldBusy
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Method = TypeVar("Method", bound=Callable[..., Any])
+Member = TypeVar("Member")
+
+
+def busy() -> WorldBusy:
+    """The error to raise where a world is in use."""
+    return WorldBusy(
+        "the world is in use: it is being stepped, changed or asked by another thread, or by what has called this;"
+        " a world does one thing at a time (different worlds may be used by as many threads)"
+    )
+
+
+def having(world: Any, do: Callable[P, R], *arguments: P.args, **options: P.kwargs) -> R:
+    """What `do` returns, called while nothing else uses the world; raises `WorldBusy` where something does."""
+    free = world._free
+    try:
+        del free[0]
+    except IndexError:
+        raise busy() from None
+    try:
+        return do(*arguments, **options)
+    finally:
+        free.append(None)
+
+
+def alone(method: Method) -> Method:
+    """A method of a world that changes it: it has the world to itself."""
+
+    @wraps(method)
+    def guarded(world: Any, /, *arguments: Any, **options: Any) -> Any:
+        return having(world, method, world, *arguments, **options)
+
+    return cast("Method", guarded)
+
+
+def looking(method: Method) -> Method:
+    """A method of a world that looks at it: it has the world to itself, or is called by the `progress` of a run."""
+
+    @wraps(method)
+    def guarded(world: Any, /, *arguments: Any, **options: Any) -> Any:
+        if world._watcher is not None and world._watcher == get_ident():
+            return method(world, *arguments, **options)
+        return having(world, method, world, *arguments, **options)
+
+    return cast("Method", guarded)
+
+
+def changing(method: Callable[Concatenate[Member, P], R]) -> Callable[Concatenate[Member, P], R]:
+    """A method of a shape, compound or ball that changes it: if it is in a world, it has that to itself."""
+
+    @wraps(method)
+    def guarded(member: Any, /, *arguments: P.args, **options: P.kwargs) -> R:
+        world = member.world
+        if world is None:
+            return method(member, *arguments, **options)
+        return having(world, method, member, *arguments, **options)
+
+    return guarded
