@@ -1,6 +1,6 @@
 """One thing at a time: what steps, changes or asks a world has it to itself, and who comes meanwhile is told so.
 
-A world has a token, in a list. Taking it out is one operation, which no other thread and no handler of a signal comes
+A world has a token, an attribute. Deleting it is one operation, which no other thread and no handler of a signal comes
 between, and costs a few dozen nanoseconds; a lock costs more, and one that is taken as a Ctrl-C arrives is never given
 back.
 """
@@ -20,6 +20,15 @@ Method = TypeVar("Method", bound=Callable[..., Any])
 Member = TypeVar("Member")
 
 
+class Turn:
+    """Whose turn it is to use a world: `free` is there while it is nobody's; who deletes it has the turn."""
+
+    __slots__ = ("free",)
+
+    def __init__(self) -> None:
+        self.free: None = None
+
+
 def busy() -> WorldBusy:
     """The error to raise where a world is in use."""
     return WorldBusy(
@@ -30,15 +39,15 @@ def busy() -> WorldBusy:
 
 def having(world: Any, do: Callable[P, R], *arguments: P.args, **options: P.kwargs) -> R:
     """What `do` returns, called while nothing else uses the world; raises `WorldBusy` where something does."""
-    free = world._free
+    turn: Turn = world._turn
     try:
-        del free[0]
-    except IndexError:
+        del turn.free
+    except AttributeError:
         raise busy() from None
     try:
         return do(*arguments, **options)
     finally:
-        free.append(None)
+        turn.free = None
 
 
 def alone(method: Method) -> Method:

@@ -186,6 +186,8 @@ except carom.UnknownName as error:
     print(error)
 except carom.InvalidArgument as error:
     print(error)
+except carom.WorldBusy as error:
+    print(error)
 except carom.NonFiniteState as error:
     print(error.hits)
 except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra, carom.LostObject) as error:

@@ -157,6 +157,7 @@ class Ball(Round):
         return None if friction == OF_WORLD else friction
 
     @friction.setter
+    @changing
     def friction(self, value: float | None) -> None:
         self._put("friction", _friction(value))
 

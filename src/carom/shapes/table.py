@@ -7,6 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from carom.rows import Row, Rows
+from carom.turns import Turn
 
 
 class Owner(Protocol):
@@ -19,7 +20,7 @@ class Owner(Protocol):
 class Home(Protocol):
     """What a shape or ball knows of the world that it is in."""
 
-    _free: list[None]
+    _turn: Turn
 
     def _changed(self, member: Any) -> None:
         """Called after a member's row was changed from outside, with the member."""

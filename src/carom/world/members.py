@@ -16,7 +16,7 @@ from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
-from carom.turns import alone, looking
+from carom.turns import Turn, alone, looking
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
@@ -61,7 +61,7 @@ class Members:
         self._arguments: tuple[Rows, ...] | None = None
         self._dt = -1.0
         self._lent: Rows | None = None
-        self._free: list[None] = [None]
+        self._turn = Turn()
         self._watcher: int | None = None
         self._link = Link(self._world)
         self._no_hits = Hits.of(self._world, NO_ROWS)

@@ -106,16 +106,16 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """
         length = checks.non_negative("dt", dt)
         # What `having` does, without the call: a step of one ball takes a few millionths of a second.
-        free = self._free
+        turn = self._turn
         try:
-            del free[0]
-        except IndexError:
+            del turn.free
+        except AttributeError:
             raise busy() from None
         try:
             self._departed.forget_oldest()
             return self._advance(1, length)
         finally:
-            free.append(None)
+            turn.free = None
 
     @spelled
     def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:

@@ -14,6 +14,7 @@ from carom import Arc, Ball, Circle, Gate, Point, Segment, Shape
 from carom.rows import BALL, KIND_NAMES, SHAPE
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.table import Table
+from carom.turns import Turn
 
 Member = Shape | Ball
 MEMBERS: list[Member] = [
@@ -32,7 +33,7 @@ class Home:
 
     def __init__(self) -> None:
         self.changed: list[Member] = []
-        self._free: list[None] = [None]
+        self._turn = Turn()
 
     def _changed(self, member: Member) -> None:
         self.changed.append(member)
