@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import wraps
 from threading import get_ident
-from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+from typing import Any, ParamSpec, TypeVar, cast
 
 from carom.errors import WorldBusy
 
 P = ParamSpec("P")
 R = TypeVar("R")
 Method = TypeVar("Method", bound=Callable[..., Any])
-Member = TypeVar("Member")
 
 
 class Turn:
@@ -72,14 +71,14 @@ def looking(method: Method) -> Method:
     return cast("Method", guarded)
 
 
-def changing(method: Callable[Concatenate[Member, P], R]) -> Callable[Concatenate[Member, P], R]:
+def changing(method: Method) -> Method:
     """A method of a shape, compound or ball that changes it: if it is in a world, it has that to itself."""
 
     @wraps(method)
-    def guarded(member: Any, /, *arguments: P.args, **options: P.kwargs) -> R:
+    def guarded(member: Any, /, *arguments: Any, **options: Any) -> Any:
         world = member.world
         if world is None:
             return method(member, *arguments, **options)
         return having(world, method, member, *arguments, **options)
 
-    return guarded
+    return cast("Method", guarded)
