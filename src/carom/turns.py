@@ -37,12 +37,17 @@ def busy() -> WorldBusy:
 
 
 def having(world: Any, do: Callable[P, R], *arguments: P.args, **options: P.kwargs) -> R:
-    """What `do` returns, called while nothing else uses the world; raises `WorldBusy` where something does."""
+    """What `do` returns, called while nothing else uses the world; raises `WorldBusy` where something does.
+
+    The `progress` of a run, which is called between two steps, does what it likes but step.
+    """
     turn: Turn = world._turn
     try:
         del turn.free
     except AttributeError:
-        raise busy() from None
+        if world._watcher != get_ident():
+            raise busy() from None
+        return do(*arguments, **options)
     try:
         return do(*arguments, **options)
     finally:
@@ -50,22 +55,10 @@ def having(world: Any, do: Callable[P, R], *arguments: P.args, **options: P.kwar
 
 
 def alone(method: Method) -> Method:
-    """A method of a world that changes it: it has the world to itself."""
+    """A method of a world that changes it or looks at all of it: it has the world to itself."""
 
     @wraps(method)
     def guarded(world: Any, /, *arguments: Any, **options: Any) -> Any:
-        return having(world, method, world, *arguments, **options)
-
-    return cast("Method", guarded)
-
-
-def looking(method: Method) -> Method:
-    """A method of a world that looks at it: it has the world to itself, or is called by the `progress` of a run."""
-
-    @wraps(method)
-    def guarded(world: Any, /, *arguments: Any, **options: Any) -> Any:
-        if world._watcher is not None and world._watcher == get_ident():
-            return method(world, *arguments, **options)
         return having(world, method, world, *arguments, **options)
 
     return cast("Method", guarded)

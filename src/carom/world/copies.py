@@ -17,7 +17,7 @@ from carom.shapes.copies import add_attributes, added_attributes
 from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.link import Link
-from carom.world.snapshot import read_snapshot
+from carom.world.snapshot import read_snapshot, write_snapshot
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -29,7 +29,7 @@ def state_of(world: World, own: Container[str]) -> dict[str, Any]:
     Balls of `add_balls` that nobody has asked for have no objects, and need none.
     """
     return {
-        "snapshot": world.snapshot(),
+        "snapshot": write_snapshot(world),
         "members": dict(world._objects),
         "compounds": {key: shape for key, shape in world._added.items() if isinstance(shape, Compound)},
         "departed": world._departed,

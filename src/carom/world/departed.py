@@ -24,7 +24,12 @@ class Departed:
 
     def __getstate__(self) -> Any:
         """Those that are known, and which of them are kept."""
-        return dict(self._known), list(self._before.values()), list(self._now.values())
+        known = {ref.key: ref() for ref in self._known.valuerefs()}
+        return (
+            {key: member for key, member in known.items() if member is not None},
+            list(self._before.values()),
+            list(self._now.values()),
+        )
 
     def __setstate__(self, state: Any) -> None:
         """Make this the copy of what gave that state."""

@@ -16,7 +16,7 @@ from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
-from carom.turns import Turn, alone, looking
+from carom.turns import Turn, alone
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
@@ -255,7 +255,7 @@ class Members:
                 found = self._ball_of(member_id)
         return found
 
-    @looking
+    @alone
     def _look(self, do: Callable[..., R], *arguments: Any) -> R:
         """What `do` returns, which looks at this world and has it to itself."""
         return do(*arguments)

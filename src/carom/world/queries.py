@@ -19,7 +19,7 @@ from carom.rows import ALL_LAYERS, Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.spelling import spelled
-from carom.turns import looking
+from carom.turns import alone
 from carom.typing import OnePair, Pairs, Vector
 from carom.world import compiled
 from carom.world.answers import (
@@ -191,7 +191,7 @@ class Queries:
         size = _sizes("radius", radius)
         return self._cast("center", center, size, target, _masks(layer, collides_with, sensors))
 
-    @looking
+    @alone
     def _cast(
         self, name: str, start: Any, radius: float | NDArray[np.float64], target: Any, masks: Masks
     ) -> CastHit | CastHits | None:
@@ -222,7 +222,7 @@ class Queries:
         self, point: Pairs, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> Neighbors: ...
     @spelled
-    @looking
+    @alone
     def nearest(
         self,
         point: OnePair | Pairs,
@@ -260,7 +260,7 @@ class Queries:
         self, aabb: Boxes, *, layer: int = ..., collides_with: int = ..., sensors: bool = ...
     ) -> InBoxes: ...
     @spelled
-    @looking
+    @alone
     def overlapping(
         self,
         aabb: OneBox | Boxes,
@@ -288,7 +288,7 @@ class Queries:
         )
 
     @spelled
-    @looking
+    @alone
     def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
         """Every overlap there is now of a ball with a shape or another ball, as a `Contacts` of `Contact` objects.
 
@@ -318,7 +318,7 @@ class Queries:
     @overload
     def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aims: ...
     @spelled
-    @looking
+    @alone
     def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aim | Aims | None:
         """The straight path of a ball up to its next impact and where both go then, or None if it meets nothing.
 

@@ -69,14 +69,14 @@ def _payload(world: World) -> bytes:
 
 def _header(world: World) -> dict[str, Any]:
     """Names and compounds."""
-    names = {str(key): member.name for key, member in world._objects.items() if member.name is not None}
+    names = {str(key): member.name for key, member in list(world._objects.items()) if member.name is not None}
     compounds = [
         {
             "parts": [part.id for part in (shape.center_point, *shape.shapes)],
             "name": shape.name,
             "surface": dict(shape._surface),
         }
-        for shape in world._added.values()
+        for shape in list(world._added.values())
         if isinstance(shape, Compound)
     ]
     return {"names": names, "compounds": compounds}
@@ -112,8 +112,8 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     room = world._room
     kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
     kinds.update({int(key): Ball._KIND for key in contents.balls["id"]})
-    left = [member for key, member in world._objects.items() if kinds.get(key) != member._KIND]
-    world._objects = {key: member for key, member in world._objects.items() if kinds.get(key) == member._KIND}
+    left = [member for key, member in list(world._objects.items()) if kinds.get(key) != member._KIND]
+    world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
     for member in left:
         member._leave()
     for table, rows in ((room.balls, contents.balls), (room.shapes, contents.shapes)):
@@ -148,7 +148,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
         if key not in world._objects:
             shape_class = SHAPE_CLASSES[int(row["kind"])]
             world._objects[key] = shape_class._of_row(world, world._room.shapes, key)
-    for member in world._objects.values():
+    for member in list(world._objects.values()):
         member._name = None
     for key, name in contents.header["names"].items():
         world.object(int(key))._name = name
@@ -166,7 +166,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
 
 def _restore_compounds(world: World, contents: Contents) -> list[Compound]:
     """The compounds that the snapshot names: those of the world whose center point is kept, and new ones."""
-    known = {key: shape for key, shape in world._added.items() if isinstance(shape, Compound)}
+    known = {key: shape for key, shape in list(world._added.items()) if isinstance(shape, Compound)}
     restored: list[Compound] = []
     for entry in contents.header["compounds"]:
         compound = known.get(entry["parts"][0])
@@ -188,7 +188,7 @@ def _regroup(world: World, compounds: list[Compound], left: list[Shape | Ball]) 
     """
     part_of = {part.id: compound for compound in compounds for part in compound._parts}
     abandoned = [shape for shape in left if isinstance(shape, Shape) and shape.compound in compounds]
-    for member in (*world._objects.values(), *abandoned):
+    for member in (*list(world._objects.values()), *abandoned):
         if isinstance(member, Shape):
             before, now = member.compound, part_of.get(member.id)
             member._compound = now

@@ -14,7 +14,7 @@ from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows import NO_RELATION, Rows
 from carom.spelling import Spelled, spelled
-from carom.turns import alone, busy, having, looking
+from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Pair, Restitution
 from carom.world import compiled
 from carom.world.copies import shallow, state_of, take_state
@@ -125,7 +125,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             seconds: How long, in seconds of the world's time; not negative.
             dt: The length of a step; positive.
             progress: Called with the seconds done and the seconds in all, a few times a second. It may look at the
-                world and ask it; to change or step it is refused, for when it is called depends on the clock.
+                world, ask it and change it, which acts at once; to step it is refused.
 
         Raises:
             As `step`; the steps before the one that failed have been made, their hits are in the exception's `hits`.
@@ -136,6 +136,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             raise checks.refuse("progress", "must be callable or None", progress)
         if total / length > MOST_STEPS:
             raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={dt!r}", seconds)
+        if self._watcher == get_ident():
+            raise busy()
         return having(self, self._run, round(total / length), length, progress)
 
     def _run(self, steps: int, length: float, progress: Callable[[float, float], Any] | None) -> Hits:
@@ -175,7 +177,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         return hits
 
     def _watched(self, progress: Callable[[float, float], Any], done: float, total: float) -> None:
-        """Call the `progress` of a run, which may look at the world."""
+        """Call the `progress` of a run, which may use the world."""
         self._watcher = get_ident()
         try:
             progress(done, total)
@@ -261,7 +263,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     # -- state -------------------------------------------------------------------------------------------------------
 
-    @looking
+    @alone
     def snapshot(self) -> bytes:
         """The whole state as bytes; `restore` makes the very same world of them. Holds names, but not `user`."""
         return write_snapshot(self)
@@ -277,11 +279,12 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """
         read_snapshot(self, snapshot)
 
-    @looking
+    @alone
     def digest(self) -> str:
         """A hash of the whole state, as 32 hexadecimal digits: equal where the snapshots are."""
         return digest_of(self)
 
+    @alone
     def __getstate__(self) -> dict[str, Any]:
         """The snapshot, the objects of members, what leads hits here, and what a subclass of the user's adds."""
         return state_of(self, vars(World()))

@@ -132,27 +132,30 @@ def test_values_can_be_read_from_a_world_in_use() -> None:
     world._turn.free = None
 
 
-@pytest.mark.parametrize("name", [*CALLS, "gravity", "velocity"])
-def test_progress_may_look_at_the_world_and_not_change_it(name: str) -> None:
-    world, twin = quiet(), quiet()
-    calls = CALLS | {
-        "gravity": lambda world: setattr(world, "gravity", (1, 1)),
-        "velocity": lambda world: setattr(world.balls[0], "velocity", (1, 1)),
-    }
-    seen: list[Any] = []
+@pytest.mark.parametrize("name", CALLS)
+def test_progress_does_what_it_likes_but_step_and_other_threads_nothing(name: str) -> None:
+    world = quiet()
+    seen: list[float] = []
 
     def progress(done: float, total: float) -> None:
-        if name in LOOKS:
-            seen.append(calls[name](world))
+        seen.append(done)
+        with pytest.raises(carom.WorldBusy):
+            in_a_thread(lambda: CALLS[name](world))
+        if name in ("step", "run"):
             with pytest.raises(carom.WorldBusy):
-                in_a_thread(lambda: calls[name](world))
-        else:
-            with pytest.raises(carom.WorldBusy):
-                calls[name](world)
-        assert world.balls.position.shape == (2, 2)
+                CALLS[name](world)
+        elif len(seen) == 1:
+            CALLS[name](world)
+        assert world.balls.position.shape[1] == 2
 
-    hits = world.run(0.5, progress=progress)
-    assert len(seen) > 0 or name not in LOOKS
+    world.run(0.5, progress=progress)
+    assert len(seen) > 1
+    world.step(0.1)
+
+
+def test_progress_that_only_looks_changes_no_bit() -> None:
+    world, twin = quiet(), quiet()
+    hits = world.run(0.5, progress=lambda done, total: [CALLS[name](world) for name in sorted(LOOKS)])
     assert np.asarray(hits).tobytes() == np.asarray(twin.run(0.5)).tobytes()
     assert world.digest() == twin.digest()
 
