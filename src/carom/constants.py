@@ -198,6 +198,23 @@ JOINT_TURN = 1e-9
 #: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
 SQUEEZE_GAP = 0.05
 
+#: Fraction of a ball's radius: a ball that the last iteration still presses deeper than this onto a shape at rest is
+#: squeezed. Smaller, and a flipper that drives a ball out of a narrow nook lets it through; larger, and balls that have
+#: no room are pressed for longer.
+PRESS_DEPTH = 0.25
+
+#: Fraction of a ball's radius: a push takes a ball's centre no nearer than this to the side of a shape, so that a ball
+#: which moves by less than half its radius a substep does not cross it next. Smaller, and such a ball may.
+SIDE_ROOM = 0.5
+
+#: Share of a setback: a push by a shape at rest that comes too near to another's side is halved down to this, and then
+#: left to the next iteration.
+LEAST_SHARE = 0.125
+
+#: Factor on the way of a push, far above rounding (1e-16): what a longer one than the radius crosses may be out of the
+#: index's sight.
+PUSH_MARGIN = 1.000001
+
 #: Fraction of a ball's radius: balls that overlap by less as a substep begins do so from rounding, and are left so.
 SEPARATION_SLACK = 1e-9
 

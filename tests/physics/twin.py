@@ -4,7 +4,8 @@ It is written from the rules alone, shares no code with carom, and holds its own
 who passes what, who is inside which sensor, who sleeps. Beyond it are coinciding centres, and moving shapes that wake.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin, sqrt
 
 Vector = tuple[float, float]
@@ -12,6 +13,10 @@ Meeting = tuple[Vector, Vector, float]
 
 ORDER = ("point", "segment", "gate", "circle", "arc")
 END_DEPTH = 0.25
+PRESS_DEPTH = 0.25
+SIDE_ROOM = 0.5
+LEAST_SHARE = 0.125
+SAMPLES = 400
 CLOSE = 1e-9
 ROUNDING = 1e-13  # a slower approach is what is left of one that a response has ended
 
@@ -29,6 +34,11 @@ def minus(a: Vector, b: Vector) -> Vector:
 def dot(a: Vector, b: Vector) -> float:
     """a·b."""
     return a[0] * b[0] + a[1] * b[1]
+
+
+def scaled(a: Vector, share: float) -> Vector:
+    """The vector share·a."""
+    return share * a[0], share * a[1]
 
 
 def turned(a: Vector, angle: float) -> Vector:
@@ -149,6 +159,27 @@ class TwinShape:
         distance, normal, _ = self.side(c)
         return distance * dot(normal, self.direction) <= 0.0
 
+    def moves(self) -> bool:
+        """Whether it moves in this substep."""
+        return self.kinematic and (self.spin != 0.0 or self.velocity != (0.0, 0.0))
+
+    def barrier(self, c: Vector, way: Vector, room: float) -> str:
+        """What a centre pushed from `c` by `way` comes to: "across" the shape's side, too "near" to it, or ""."""
+        home = self.home(c, self.turn, self.way)
+        if self.kind == "point" or (self.kind == "gate" and self.is_open(home)):
+            return ""
+        way = turned(way, -self.turn)
+        sides = []
+        for k in range(SAMPLES + 1):
+            place = plus(home, way, k / SAMPLES)
+            sides.append((self.in_reach(place), self.side(place)[0]))
+        if not (self.solid and sides[0][1] < 0.0):
+            for (within, before), (within_too, after) in pairwise(sides):
+                if (within or within_too) and (before > 0.0) != (after > 0.0):
+                    return "across"
+        depths = [room - (side if self.solid else abs(side)) if within else 0.0 for within, side in sides]
+        return "near" if depths[-1] > max(depths[0], 0.0) else ""
+
     def touches(self, ball: TwinBall) -> bool:
         """Whether any place of the shape, its ends included, is inside the ball."""
         c = self.home(ball.place, self.turn, self.way)
@@ -197,10 +228,13 @@ class TwinWorld:
     hits: list[tuple[str, int, int, float]] = field(default_factory=list)
     found: bool = False
     doubtful: bool = False  # whether rounding may have decided something that shows
+    faint: bool = False  # whether it may have decided that one more iteration follows
+    stuck: bool = False  # whether a ball had no room, which one more iteration may change
 
     def substep(self, h: float) -> None:
         """One substep."""
         rest = 2 * hypot(*self.gravity) * h if self.rest_speed is None else self.rest_speed
+        self.faint = self.stuck = False
         for shape in self.shapes:
             if shape.kinematic:
                 shape.advance(h)
@@ -218,14 +252,65 @@ class TwinWorld:
             for i, ball in enumerate(self.balls):
                 if not ball.asleep:
                     for k in order:
-                        self.meet_shape(i, k, iteration == 0, starts[i], moved[i], rest)
+                        self.meet_shape(i, k, iteration, starts[i], moved[i], rest)
             for i, j in self.pairs():
                 self.meet_pair(i, j, rest)
             if not self.found:
                 break
+        else:  # what stands still has the last word, the static shapes at the end
+            last = sorted(order, key=lambda k: not self.shapes[k].kinematic)
+            for i, ball in enumerate(self.balls):
+                for k in last:
+                    if not ball.asleep and not self.shapes[k].moves():
+                        self.meet_shape(i, k, self.iterations, starts[i], moved[i], rest)
+        self.doubtful |= self.faint and self.stuck
         self.finish(h)
 
-    def meet_shape(self, i: int, k: int, first: bool, start: Vector, moved: Vector, rest: float) -> None:
+    def room(self, i: int, k: int | None, way: Vector) -> str:
+        """What a push of a ball by a shape, or by a ball, comes to, on account of the other shapes."""
+        ball, found = self.balls[i], ""
+        for other, shape in enumerate(self.shapes):
+            if other != k and self.holds_back(i, other, k is not None and not self.shapes[k].moves()):
+                barrier = shape.barrier(ball.place, way, SIDE_ROOM * ball.radius)
+                if barrier == "across":
+                    return barrier
+                found = found or barrier
+        return found
+
+    def holds_back(self, i: int, k: int, by_rest: bool) -> bool:
+        """Whether a shape is in the way of a ball that is pushed; what moves is not, for what stands still."""
+        ball, shape = self.balls[i], self.shapes[k]
+        if shape.sensor or ball.sensor or (i, k) in self.passing or not may_meet(ball, shape):
+            return False
+        return not (by_rest and shape.moves())
+
+    def pressed(self, i: int, k: int, way: Vector, normal: Vector) -> float:
+        """How deep a push by shape `k` presses a ball onto a shape at rest that opposes it."""
+        ball = self.balls[i]
+        there = replace(ball, place=plus(ball.place, way))
+        deepest = 0.0
+        for other, shape in enumerate(self.shapes):
+            contact = shape.overlap(there) if other != k and self.holds_back(i, other, True) else None
+            if contact is None or dot(contact[1], normal) >= -0.5:
+                continue
+            if shape.kind != "gate" or not shape.is_open(shape.home(there.place, shape.turn, shape.way)):
+                deepest = max(deepest, contact[2])
+        return deepest
+
+    def share_of_push(self, i: int, k: int, normal: Vector, setback: float, iteration: int) -> tuple[float, bool]:
+        """By how much of the setback a shape moves a ball, and whether it moves and presses it onto one at rest."""
+        moves, share = self.shapes[k].moves(), 1.0
+        ball = self.balls[i]
+        while self.room(i, k, scaled(normal, share * setback)) == "near" and not moves and share > LEAST_SHARE:
+            share /= 2
+        if self.room(i, k, scaled(normal, share * setback)):
+            return 0.0, False
+        depth = self.pressed(i, k, scaled(normal, setback), normal)
+        if iteration + 1 == self.iterations and depth > PRESS_DEPTH * ball.radius:
+            return 0.0, False
+        return share, moves and depth > 0.0 and (iteration > 0 or self.iterations == 1)
+
+    def meet_shape(self, i: int, k: int, iteration: int, start: Vector, moved: Vector, rest: float) -> None:
         """A ball and a shape."""
         ball, shape = self.balls[i], self.shapes[k]
         contact = shape.overlap(ball, CLOSE)
@@ -241,6 +326,7 @@ class TwinWorld:
             or (abs(s) < CLOSE and pulled)
             or (setback < CLOSE and (s < -CLOSE or shape.kind == "gate"))
         )
+        self.faint |= abs(setback) < CLOSE
         if setback <= 0:
             return
         if shape.sensor or ball.sensor:
@@ -248,17 +334,22 @@ class TwinWorld:
             return
         if (i, k) in self.passing:
             return
-        if shape.begins_to_be_passed(ball, first, start, moved, setback):
+        if shape.begins_to_be_passed(ball, iteration == 0, start, moved, setback):
             self.passing.add((i, k))
             return
-        self.found = True
-        ball.place = plus(ball.place, normal, setback)
+        share, pressed = self.share_of_push(i, k, normal, setback, iteration)
+        self.stuck |= share < 1.0
+        if share == 0.0 and shape.moves():
+            self.passing.add((i, k))
+            return
+        self.found |= share > 0.0
+        ball.place = plus(ball.place, normal, share * setback)
         if s < -ROUNDING:
             squared = s * s + 2 * dot(self.gravity, normal) * setback
             approach = sqrt(max(squared, 0.0))
             e = ball.elasticity * shape.elasticity
             sliding = plus(w, normal, -s)
-            if e < 1 and shape.kick == 0 and approach < rest:
+            if pressed or (e < 1 and shape.kick == 0 and approach < rest):
                 ball.velocity = plus(surface, sliding)
             else:
                 self.doubtful |= abs(squared) < 1e-2 * s * s
@@ -287,6 +378,7 @@ class TwinWorld:
             return
         closing = dot(minus(b.velocity, a.velocity), gap) / distance < -CLOSE
         self.doubtful |= distance > a.radius + b.radius - CLOSE and closing
+        self.faint |= abs(distance - a.radius - b.radius) < CLOSE
         if distance >= a.radius + b.radius:
             return
         if a.sensor or b.sensor:
@@ -295,8 +387,9 @@ class TwinWorld:
         self.found = True
         normal = gap[0] / distance, gap[1] / distance
         setback, total = a.radius + b.radius - distance, a.mass + b.mass
-        a.place = plus(a.place, normal, -setback * b.mass / total)
-        b.place = plus(b.place, normal, setback * a.mass / total)
+        for k, push in ((i, -setback * b.mass / total), (j, setback * a.mass / total)):
+            if not self.room(k, None, scaled(normal, push)):
+                self.balls[k].place = plus(self.balls[k].place, normal, push)
         u1, u2 = dot(a.velocity, normal), dot(b.velocity, normal)
         if u1 - u2 > ROUNDING:
             e = a.elasticity * b.elasticity

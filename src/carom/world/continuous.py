@@ -80,13 +80,17 @@ def step_continuous(
             status = begin_substep(state, balls, shapes, order, index, cells, members, saved, flights)
         elif stage == SHAPES:
             status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+            if state["stage"] == FINISH:
+                enter_stage(state, SPAN)
         elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
             enter_stage(state, SPAN)
             status = DONE
         elif stage == FIND_PAIRS:
             status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
         elif stage == PAIRS:
-            status = meet_all_pairs(state, balls, pairs, saved, hits, relations)
+            status = meet_all_pairs(
+                state, balls, shapes, index, cells, members, pairs, saved, hits, relations
+            )  # fmt: skip
             if state["stage"] == FINISH:
                 enter_stage(state, SPAN)
         elif stage == SPAN:

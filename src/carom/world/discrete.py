@@ -13,6 +13,7 @@ from carom.world.grid import pairs_by_grid
 from carom.world.layout import (
     BEGIN,
     BRUTE,
+    COUNTED,
     DISCRETE,
     DONE,
     END,
@@ -34,6 +35,7 @@ from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_bal
 from carom.world.relations import relations_room
 from carom.world.safety import begin_step, end_step, roll_back, shapes_are_sound
 from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
+from carom.world.surfaces import is_moving
 
 
 def step_discrete(
@@ -68,7 +70,9 @@ def step_discrete(
         elif stage == FIND_PAIRS:
             status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
         elif stage == PAIRS:
-            status = meet_all_pairs(state, balls, pairs, saved, hits, relations)
+            status = meet_all_pairs(
+                state, balls, shapes, index, cells, members, pairs, saved, hits, relations
+            )  # fmt: skip
         elif stage == FINISH:
             status = finish(state, balls, shapes, hits, relations)
         else:
@@ -169,8 +173,13 @@ def meet_all_shapes(
     hits: Rows,
     relations: Rows,
 ) -> int:
-    """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out."""
+    """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out.
+
+    After the last iteration come the shapes at rest alone, the static ones at the end.
+    """
     first = state["iteration"] == 0 and state["detection"] == DISCRETE
+    settling = state["iteration"] == state["iterations"]
+    kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
     duration = substep_length(state)
     time = hit_time(state)
     rest = rest_speed(state)
@@ -188,9 +197,10 @@ def meet_all_shapes(
         from_x, from_y = float(ball["x"]), float(ball["y"])
         if first:
             move_ball(ball, duration, gravity_x, gravity_y)
-        saved[i]["touched"] &= PAIRS_DUE
+        saved[i]["touched"] &= kept
         to_x, to_y = float(ball["x"]), float(ball["y"])
-        for which in range(2):
+        for turn in range(2):
+            which = 1 - turn if settling else turn
             entry = index[which]
             cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
             k, end = cell_span(cells, cell)
@@ -200,9 +210,11 @@ def meet_all_shapes(
                 row = int(members[k])
                 k += 1
                 shape = shapes[row]
+                if settling and is_moving(shape):
+                    continue
                 if not boxes_apart(ball, shape) and may_collide(ball, shape):
                     pushed = meet_shape(
-                        state, ball, i, shape, row, hits, relations, saved[i],
+                        state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
                         time, rest, first, from_x, from_y, to_x, to_y,
                     )  # fmt: skip
                     if pushed and left > 0:
@@ -213,7 +225,7 @@ def meet_all_shapes(
                             state["box_tests"] -= end - k
                             k, end = rest_of_cell(shapes, cells, members, cell, row)
                             state["box_tests"] += end - k
-    enter_stage(state, FIND_PAIRS)
+    enter_stage(state, FINISH if settling else FIND_PAIRS)
     return DONE
 
 
@@ -255,7 +267,7 @@ def find_pairs(
     if state["iteration"] > 0:
         count = keep_due(pairs, count, saved)
     for i in range(state["balls"]):
-        saved[i]["touched"] &= SHAPES_DUE
+        saved[i]["touched"] &= SHAPES_DUE | COUNTED
     state["pairs"] = count
     enter_stage(state, PAIRS)
     return DONE
@@ -273,8 +285,22 @@ def keep_due(pairs: Rows, count: int, saved: Rows) -> int:
     return kept
 
 
-def meet_all_pairs(state: Row, balls: Rows, pairs: Rows, saved: Rows, hits: Rows, relations: Rows) -> int:
-    """DONE when the pairs have been tested, each once, and the next iteration or the substep's end is to come."""
+def meet_all_pairs(
+    state: Row,
+    balls: Rows,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    pairs: Rows,
+    saved: Rows,
+    hits: Rows,
+    relations: Rows,
+) -> int:
+    """DONE when the pairs have been tested, each once, and the next iteration or the substep's end is to come.
+
+    After the last iteration the shapes at rest come once more, if it met anything: they have the last word.
+    """
     time = hit_time(state)
     rest = rest_speed(state)
     for k in range(state["cursor"], state["pairs"]):
@@ -290,12 +316,12 @@ def meet_all_pairs(state: Row, balls: Rows, pairs: Rows, saved: Rows, hits: Rows
             if first["sensor"] != 0 or second["sensor"] != 0:
                 meet_sensing_ball(state, first, i, second, j, hits, relations, time)
             else:
-                meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]], time, rest)
+                meet_ball(
+                    state, first, second, shapes, index, cells, members, relations, saved[i], saved[j],
+                    hits[state["hits"]], time, rest,
+                )  # fmt: skip
     state["iteration"] += 1
-    if state["found"] > 0 and state["iteration"] < state["iterations"]:
-        enter_stage(state, SHAPES)
-    else:
-        enter_stage(state, FINISH)
+    enter_stage(state, SHAPES if state["found"] > 0 else FINISH)
     state["found"] = 0
     return DONE
 

@@ -64,6 +64,7 @@ NO_BALL = -1
 # What a ball that a response has moved is still to be tested against.
 SHAPES_DUE = 1
 PAIRS_DUE = 2
+COUNTED = 4  # not due, but done: it was counted as squeezed in this substep
 
 #: Settings, time, counts, statistics and the place of a step that was interrupted: a table of two rows, the second of
 #: which is the copy that a step which fails is rolled back to.
@@ -215,7 +216,7 @@ SAVED = np.dtype(
         ("relation", "i4"),
         ("asleep", "u1"),
         ("stray", "u1"),
-        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE
+        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED
         ("overflowed", "u1"),  # the ball was not finite when a step was undone
     ]
 )

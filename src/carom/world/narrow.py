@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, fabs, sin
 
-from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_DISCRETE, SEPARATION_SLACK
+from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_DISCRETE, LEAST_SHARE, PRESS_DEPTH, SEPARATION_SLACK
 from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
@@ -12,10 +12,12 @@ from carom.geometry.vector import cross, dot, larger, length, length_squared, ro
 from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
-from carom.world.layout import DISCRETE, ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
+from carom.world.layout import COUNTED, DISCRETE, ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
 from carom.world.motion import rouse, wake
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, find_relation
+from carom.world.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
+from carom.world.surfaces import is_moving
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
 
@@ -122,8 +124,11 @@ def meet_shape(
     state: Row,
     ball: Row,
     ball_row: int,
-    shape: Row,
+    shapes: Rows,
     shape_row: int,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
     hits: Rows,
     relations: Rows,
     mark: Row,
@@ -137,8 +142,10 @@ def meet_shape(
 ) -> bool:
     """True if a ball whose box meets a shape's was moved out of it; responds. There must be room: a hit, a relation.
 
-    `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`.
+    `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`. A ball that has no
+    room to be moved to stays, and a shape that moves goes over it.
     """
+    shape = shapes[shape_row]
     state["full_tests"] += 1
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
@@ -158,13 +165,65 @@ def meet_shape(
     if starts_passing(shape, ball, setback, moved, from_x, from_y, to_x, to_y):
         add_relation(state, relations, ball, ball_row, PASSING, shape_row)
         return False
-    ball["x"] = x + setback * nx
-    ball["y"] = y + setback * ny
-    mark["touched"] = BOTH_DUE
-    state["found"] += 1
-    bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback)
+    share, pressed = room_for_push(
+        state, ball, shapes, shape_row, index, cells, members, relations, nx, ny, setback
+    )  # fmt: skip
+    if share == 0.0:
+        count_squeezed(state, mark)
+        if is_moving(shape):
+            add_relation(state, relations, ball, ball_row, PASSING, shape_row)
+            return False
+    else:
+        ball["x"] = x + share * setback * nx
+        ball["y"] = y + share * setback * ny
+        state["found"] += 1
+    mark["touched"] |= BOTH_DUE
+    bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback, pressed)
     limit_speed(state, ball)
-    return True
+    return share > 0.0
+
+
+def room_for_push(
+    state: Row,
+    ball: Row,
+    shapes: Rows,
+    shape_row: int,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    relations: Rows,
+    nx: float,
+    ny: float,
+    setback: float,
+) -> tuple[float, bool]:
+    """The share of its setback by which a shape moves a ball, and whether it moves and presses it onto one at rest.
+
+    0 where the ball would cross another's side, or where the last iteration still presses it deep onto a shape at rest.
+    What stands still moves it by less, rather than not at all, where it would come too near to another's side.
+    """
+    moving = is_moving(shapes[shape_row])
+    share = 1.0
+    found = barrier(state, ball, shapes, index, cells, members, relations, shape_row, setback * nx, setback * ny)
+    while found == NEAR and not moving and share > LEAST_SHARE:
+        share *= 0.5
+        dx, dy = share * setback * nx, share * setback * ny
+        found = barrier(state, ball, shapes, index, cells, members, relations, shape_row, dx, dy)
+    if found != FREE:
+        return 0.0, False
+    last = state["iteration"] + 1 == state["iterations"]
+    if not last and (not moving or state["iteration"] == 0):
+        return share, False
+    depth = pressed_depth(
+        state, ball, shapes, index, cells, members, relations, shape_row, nx, ny, setback
+    )  # fmt: skip
+    return 0.0 if last and depth > PRESS_DEPTH * float(ball["radius"]) else share, moving and depth > 0.0
+
+
+def count_squeezed(state: Row, mark: Row) -> None:
+    """Count a ball that has no room to be pushed to, once a substep."""
+    if mark["touched"] & COUNTED == 0:
+        mark["touched"] |= COUNTED
+        state["squeezed"] += 1
 
 
 def bounce_off_shape(
@@ -179,8 +238,12 @@ def bounce_off_shape(
     nx: float,
     ny: float,
     setback: float,
+    pressed: bool,
 ) -> None:
-    """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit."""
+    """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit.
+
+    One that is `pressed` onto something has no room to bounce: it goes with the surface.
+    """
     vx, vy = float(ball["vx"]), float(ball["vy"])
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py)
     wx, wy = vx - ux, vy - uy
@@ -191,7 +254,7 @@ def bounce_off_shape(
     approach = approach_at_contact(s, g_n, setback)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
-    if elasticity < 1.0 and kick == 0.0 and -approach < rest_speed:
+    if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed):
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
         return
@@ -251,11 +314,23 @@ def meet_sensing_ball(
 
 
 def meet_ball(
-    state: Row, first: Row, second: Row, mark: Row, other_mark: Row, hit: Row, time: float, rest_speed: float
+    state: Row,
+    first: Row,
+    second: Row,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    relations: Rows,
+    mark: Row,
+    other_mark: Row,
+    hit: Row,
+    time: float,
+    rest_speed: float,
 ) -> None:
     """Let two balls that overlap respond to each other; `mark` and `other_mark` are their rows of `SAVED`.
 
-    `hit` is the next free row.
+    `hit` is the next free row. One that would cross the side of a shape stays.
     """
     x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
     x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
@@ -269,8 +344,10 @@ def meet_ball(
     if x1 == x2 and y1 == y2:
         state["overlaps"] += 1
     push_apart(first, second, nx, ny, setback)
-    mark["touched"] = BOTH_DUE
-    other_mark["touched"] = BOTH_DUE
+    keep_side(state, first, mark, shapes, index, cells, members, relations, x1, y1)
+    keep_side(state, second, other_mark, shapes, index, cells, members, relations, x2, y2)
+    mark["touched"] |= BOTH_DUE
+    other_mark["touched"] |= BOTH_DUE
     state["found"] += 1
     bounce_pair(state, first, second, hit, time, rest_speed, px, py, nx, ny, setback)
     limit_speed(state, first)
@@ -279,6 +356,29 @@ def meet_ball(
     # back to sleep at once.
     rouse(state, first)
     rouse(state, second)
+
+
+def keep_side(
+    state: Row,
+    ball: Row,
+    mark: Row,
+    shapes: Rows,
+    index: Rows,
+    cells: Rows,
+    members: Rows,
+    relations: Rows,
+    from_x: float,
+    from_y: float,
+) -> None:
+    """Put a ball that another has pushed across the side of a shape back to (from_x, from_y)."""
+    x, y = float(ball["x"]), float(ball["y"])
+    ball["x"] = from_x
+    ball["y"] = from_y
+    if barrier(state, ball, shapes, index, cells, members, relations, BY_BALL, x - from_x, y - from_y) != FREE:
+        count_squeezed(state, mark)
+        return
+    ball["x"] = x
+    ball["y"] = y
 
 
 def push_apart(first: Row, second: Row, nx: float, ny: float, setback: float) -> None:

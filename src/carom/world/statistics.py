@@ -70,7 +70,7 @@ class Statistics:
 
     @property
     def squeezed(self) -> int:
-        """Balls that a moving shape went over because a static one held them."""
+        """Balls that had no room to be pushed to; a shape that moves went over them. Each counts once a substep."""
         return self._count("squeezed")
 
     @property
