@@ -129,3 +129,87 @@ def test_a_press_goes_over_a_ball_that_a_wall_holds() -> None:
     twin = World()
     twin.restore(world.snapshot())
     assert twin.digest() == world.digest()
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+@pytest.mark.parametrize("gravity", [0.0, -10.0, 10.0])
+def test_a_shape_that_is_put_onto_a_ball_leaves_it_on_its_side(detection: Any, gravity: float) -> None:
+    world = World(detection=detection, gravity=(gravity, 0))
+    world.add(Segment((0, -1), (0, 1)))
+    disc = world.add(Circle((0.5, 0), 0.05, solid=True, motion="kinematic"))
+    ball = world.add(Ball((0.04, 0), 0.03))
+    disc.position = 0.075, 0
+    for _ in range(20):
+        world.step(1 / 60)
+        assert ball.position[0] > 0
+    assert world.statistics.squeezed > 0
+    assert world.statistics.stalled == 0
+
+
+def put_onto(random: Random, world: World, x: float, y: float) -> None:
+    """Put a shape of any kind, by any setter, onto the place (x, y), or as good as."""
+    x, y, lean = x + random.gauss(0, 0.05), y + random.gauss(0, 0.05), random.uniform(0, 2 * pi)
+    motion = random.choice(("static", "kinematic"))
+    how = random.choice(("position", "radius", "ends", "angles", "turn", "compound", "add"))
+    if how == "radius":
+        disc = world.add(Circle((x + 1, y), 0.1, solid=random.random() < 0.5, motion=motion))
+        world.step(0.0)
+        disc.radius = random.uniform(0.8, 1.2)
+    elif how == "ends":
+        line = world.add(Segment((x + 5, y), (x + 5, y + 1), motion=motion))
+        world.step(0.0)
+        line.p0 = x - cos(lean), y - sin(lean)
+    elif how == "angles":
+        arc = world.add(Arc((x - 0.5 * cos(lean), y - 0.5 * sin(lean)), 0.5, lean + 1, lean + 2, motion=motion))
+        world.step(0.0)
+        arc.start_angle = lean - 1
+    elif how == "turn":
+        line = world.add(Segment((x, y + 1), (x, y + 3), motion="kinematic"))
+        world.step(0.0)
+        line.rotate((x, y + 1), lean)
+    elif how == "compound":
+        both = world.add(Compound([Segment((9, 9), (9.2, 9.1)), Circle((9, 9), 0.1, solid=True)], (9, 9)))
+        world.step(0.0)
+        both.position = x, y
+        both.rotate((x, y), lean)
+    else:
+        shape: Shape = random.choice(
+            (
+                Point((x, y), motion=motion),
+                Circle((x, y), 0.2, solid=True, motion=motion),
+                Segment((x - 0.3 * cos(lean), y - 0.3 * sin(lean)), (x + cos(lean), y + sin(lean)), motion=motion),
+                Gate((x - 0.3 * cos(lean), y - 0.3 * sin(lean)), (x + cos(lean), y + sin(lean)), motion=motion),
+            )
+        )
+        if how == "position":
+            shape.position = 40, 40
+            world.add(shape)
+            world.step(0.0)
+            shape.position = x, y
+        else:
+            world.add(shape)
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from(["discrete", "continuous"]))
+def test_nothing_that_is_put_onto_a_ball_pushes_it_through_what_stands_still(seed: int, detection: Any) -> None:
+    random = Random(seed)
+    world = World(detection=detection, substeps=random.choice((1, 4)), max_speed=0.4)
+    turn = random.uniform(0, 2 * pi)
+    walls, side = random_wall(random, turn, {"elasticity": random.uniform(0, 1)})
+    for wall in walls:
+        world.add(wall)
+    near = 0.0
+    while side(near * cos(turn), near * sin(turn)) == side(0, 0):
+        near += 0.001
+    near -= random.choice((0.002, random.uniform(0.002, 0.2)))
+    place = near * cos(turn), near * sin(turn)
+    ball = world.add(Ball(place, random.uniform(0.03, 0.15), (random.gauss(0, 0.1), random.gauss(0, 0.1))))
+    if random.random() < 0.5:
+        world.step(0.0)
+    put_onto(random, world, *place)
+    if random.random() < 0.3:
+        ball.position = place
+    for _ in range(5):
+        world.step(1 / 600)
+        assert side(*ball.position) == side(0, 0)
+    assert world.statistics.stalled == 0

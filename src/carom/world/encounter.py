@@ -16,6 +16,7 @@ from carom.world.motion import rouse, wake
 from carom.world.narrow import limit_speed, may_collide, push_apart
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, drop_all, find_relation, has_kind
+from carom.world.room import ACROSS, barrier, pressed_depth
 from carom.world.shape_index import FIXED, cell_span, locate
 from carom.world.support import patience, slow_rebound, throw_off
 from carom.world.surfaces import gap_at_rest, gap_to_shape, into_frame, is_moving, velocity_of_surface
@@ -61,6 +62,15 @@ def impact_with_shape(
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return
+    if gap < -SEPARATION_SLACK * radius and not is_moving(shape):
+        # It was put there. What two sides push to and fro would go on so for ever, so it stays for now.
+        depth = pressed_depth(state, ball, shapes, index, cells, members, relations, row, nx, ny, -gap)
+        across = barrier(state, ball, shapes, index, cells, members, relations, row, -gap * nx, -gap * ny) == ACROSS
+        if across or depth > SEPARATION_SLACK * radius:
+            state["squeezed"] += 1
+            flight["kind"] = STALLED
+            fall_freely(state, flight)
+            return
     if gap < 0.0:
         ball["x"] = x - gap * nx
         ball["y"] = y - gap * ny

@@ -141,13 +141,11 @@ def _agrees(values: tuple[Any, ...]) -> bool:
 def _check_relations(contents: Contents) -> None:
     """Nothing; raises where a relation is of rows that are not there, or of kinds that have none."""
     need(contents.relations.shape[1] == 3, "relations of another form")
-    kinds = contents.shapes["kind"]
     for kind, ball, other in contents.relation_list:
         others = contents.balls if kind == INSIDE_BALL else contents.shapes
         need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL, LASTING), "relations of unknown kinds")
         need(0 <= ball < len(contents.balls) and 0 <= other < len(others), "relations of unknown rows")
         need(kind != INSIDE_BALL or other < ball, "relations of balls in the wrong order")
-        need(kind != PASSING or kinds[other] in (SEGMENT, GATE, ARC), "balls that pass what nothing passes")
     need(len(set(contents.relation_list)) == len(contents.relations), "a relation twice")
 
 
