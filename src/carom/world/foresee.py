@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from carom.constants import FEW_SHAPES, FLIGHT_SLICES, LOOK_TRAVEL
+from carom.geometry.vector import larger
 from carom.rows import CIRCLE, NO_RELATION, POINT, Row, Rows
 from carom.world.bins import leash
 from carom.world.flight import consider, path_box, top_speed
@@ -110,7 +111,8 @@ def foresee_shapes(
     speed = top_speed(ball, flight, remaining)
     if speed > 0.0 and state["binned"] != 0:
         dx, dy = float(ball["x"]) - float(flight["bin_x"]), float(ball["y"]) - float(flight["bin_y"])
-        consider(flight, (leash(state, flight) - sqrt(dx * dx + dy * dy)) / speed, LOOK, NO_BALL)
+        # A push may have taken it farther; then it is filed anew at once, not at a time that is past.
+        consider(flight, larger(leash(state, flight) - sqrt(dx * dx + dy * dy), 0.0) / speed, LOOK, NO_BALL)
     if speed > 0.0 and ball["relation"] != NO_RELATION:
         foresee_relations(state, ball, flight, shapes, relations, speed)
     cell = cell_around(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]), speed * remaining)
