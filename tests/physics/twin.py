@@ -173,10 +173,11 @@ class TwinShape:
         for k in range(SAMPLES + 1):
             place = plus(home, way, k / SAMPLES)
             sides.append((self.in_reach(place), self.side(place)[0]))
-        if not (self.solid and sides[0][1] < 0.0):
-            for (within, before), (within_too, after) in pairwise(sides):
-                if (within or within_too) and (before > 0.0) != (after > 0.0):
-                    return "across"
+        if self.solid and sides[0][1] < 0.0:
+            return ""
+        for (within, before), (within_too, after) in pairwise(sides):
+            if (within or within_too) and (before > 0.0) != (after > 0.0):
+                return "across"
         depths = [room - (side if self.solid else abs(side)) if within else 0.0 for within, side in sides]
         return "near" if depths[-1] > max(depths[0], 0.0) else ""
 
@@ -342,8 +343,9 @@ class TwinWorld:
         if share == 0.0 and shape.moves():
             self.passing.add((i, k))
             return
-        self.found |= share > 0.0
-        ball.place = plus(ball.place, normal, share * setback)
+        self.found = True
+        setback *= share
+        ball.place = plus(ball.place, normal, setback)
         if s < -ROUNDING:
             squared = s * s + 2 * dot(self.gravity, normal) * setback
             approach = sqrt(max(squared, 0.0))

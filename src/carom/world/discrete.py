@@ -210,21 +210,20 @@ def meet_all_shapes(
                 row = int(members[k])
                 k += 1
                 shape = shapes[row]
-                if settling and is_moving(shape):
+                if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
                     continue
-                if not boxes_apart(ball, shape) and may_collide(ball, shape):
-                    pushed = meet_shape(
-                        state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
-                        time, rest, first, from_x, from_y, to_x, to_y,
-                    )  # fmt: skip
-                    if pushed and left > 0:
-                        new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
-                        if new_cell != cell:
-                            left -= 1
-                            cell = new_cell
-                            state["box_tests"] -= end - k
-                            k, end = rest_of_cell(shapes, cells, members, cell, row)
-                            state["box_tests"] += end - k
+                pushed = meet_shape(
+                    state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
+                    time, rest, first, from_x, from_y, to_x, to_y,
+                )  # fmt: skip
+                if pushed and left > 0:
+                    new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                    if new_cell != cell:
+                        left -= 1
+                        cell = new_cell
+                        state["box_tests"] -= end - k
+                        k, end = rest_of_cell(shapes, cells, members, cell, row)
+                        state["box_tests"] += end - k
     enter_stage(state, FINISH if settling else FIND_PAIRS)
     return DONE
 

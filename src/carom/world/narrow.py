@@ -168,16 +168,17 @@ def meet_shape(
     share, pressed = room_for_push(
         state, ball, shapes, shape_row, index, cells, members, relations, nx, ny, setback
     )  # fmt: skip
+    setback = share * setback
     if share == 0.0:
         count_squeezed(state, mark)
         if is_moving(shape):
             add_relation(state, relations, ball, ball_row, PASSING, shape_row)
             return False
     else:
-        ball["x"] = x + share * setback * nx
-        ball["y"] = y + share * setback * ny
-        state["found"] += 1
+        ball["x"] = x + setback * nx
+        ball["y"] = y + setback * ny
     mark["touched"] |= BOTH_DUE
+    state["found"] += 1
     bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback, pressed)
     limit_speed(state, ball)
     return share > 0.0

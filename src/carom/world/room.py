@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import sqrt
 
 from carom.constants import END_SLOP, PUSH_MARGIN, SIDE_ROOM
+from carom.geometry.circle import circle_contains
 from carom.geometry.line import distance_to_segment
 from carom.geometry.reach import in_wide_sector
 from carom.geometry.vector import cross, dot, larger, length, smaller
@@ -78,6 +79,8 @@ def barrier_of(ball: Row, shape: Row, row: int, still: bool, relations: Rows, dx
         return FREE
     if crosses_side(shape, x, y, dx, dy, END_SLOP * radius):
         return ACROSS
+    if shape["solid"] != 0 and circle_contains(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]), x, y):
+        return FREE
     return NEAR if comes_near(shape, x, y, dx, dy, room) else FREE
 
 

@@ -52,8 +52,8 @@ def test_pairs_come_after_shapes() -> None:
     assert "ball" in kinds[1:]
 
 
-def test_a_ball_pushed_onto_a_shape_meets_it_in_the_next_iteration() -> None:
-    for iterations, met in ((1, ["ball"]), (2, ["ball", "segment", "ball"])):
+def test_a_ball_pushed_onto_a_shape_meets_it_in_the_next_iteration_and_once_more_after_the_last() -> None:
+    for iterations, met in ((1, ["ball", "segment"]), (2, ["ball", "segment", "ball", "segment"])):
         world = World(substeps=1, iterations=iterations)
         world.add(Segment((-9, 0), (9, 0)))
         world.add(Ball((0, 1), radius=1))
