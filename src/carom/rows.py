@@ -30,6 +30,9 @@ STATIC = 0
 KINEMATIC = 1
 DYNAMIC = 2
 
+#: The `time_left` of a shape that has come where it was sent, until the substep is over and it rests.
+ARRIVED = -1.0
+
 NO_RELATION = -1
 ALL_LAYERS = 0xFFFFFFFF
 
@@ -126,6 +129,13 @@ SHAPE = np.dtype(
         ("turn_high", "f8"),
         ("velocity_x", "f8"),
         ("velocity_y", "f8"),
+        # where `move_to` sends it
+        ("time_left", "f8"),  # seconds until it is there; 0: it is sent nowhere, ARRIVED: it came there just now
+        ("target_x", "f8"),  # its position there
+        ("target_y", "f8"),
+        ("target_pivot_x", "f8"),
+        ("target_pivot_y", "f8"),
+        ("target_orientation", "f8"),
         # the last substep
         ("spin", "f8"),  # angular velocity that acted in it
         ("orientation_before", "f8"),

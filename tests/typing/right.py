@@ -32,6 +32,7 @@ def take(pair: Pair) -> Vector:
     wall.pivot = wall.velocity = pair
     wall.position = wall.turn_limits = pair
     wall.rotate(pair, 1.0)
+    wall.move_to(pair, 0.1, orientation=1.0)
     gate = carom.Gate(pair, pair, direction=pair)
     gate.direction = pair
     arc = carom.Arc(pair, 1, 0, 1)

@@ -115,6 +115,8 @@ BAD: dict[str, list[Any]] = {
     "Compound.collides_with": _some(NO_MASKS),
     "Compound.orientation": [*NO_NUMBERS, 2.0, -2.0],
     "rotate.angle": [*NO_NUMBERS, 2.0, -2.0],
+    "move_to.dt": [*NO_NUMBERS, 0, -0.0, -1e-9, 1e-320],
+    "move_to.orientation": [*_some(NO_NUMBERS), 2.0, -2.0],
     "guard_points.shapes": [None, 5, [None], [carom.Ball((0, 0), 1)]],
 }
 
@@ -158,6 +160,7 @@ GOOD: dict[str, Callable[[], dict[str, Any]]] = {
     "Line.intersection": lambda: {"other": carom.Line((0, 0), 1)},
     "move": lambda: {"dt": 0.5},
     "Aabb.overlaps": lambda: {"other": carom.Aabb(0, 0, 1, 1)},
+    "move_to": lambda: {"position": (7, 8), "dt": 0.5},
     "respond": lambda: {"contact": contact()},
     "rotate": lambda: {"pivot": (0, 0), "angle": 0.5},
     "set_angles": lambda: {"start_angle": 1.0, "end_angle": 2.0},

@@ -25,7 +25,10 @@ from carom.typing import Pair, Vector
 _SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_with")
 
 #: The fields of a part that its compound says, besides its pose.
-_MOTION = ("angular_velocity", "rotating", "turn_limited", "turn_low", "turn_high", "velocity_x", "velocity_y")
+_MOTION = (
+    *("angular_velocity", "rotating", "turn_limited", "turn_low", "turn_high", "velocity_x", "velocity_y"),
+    "time_left",
+)
 
 #: The attributes of a compound that are no user's.
 _OWN = ("_name", "_parts", "_surface", "user")
@@ -171,11 +174,14 @@ class Compound(Group):
         row["motion"] = KINEMATIC
         row["pivot_x"], row["pivot_y"] = center["initial_pivot_x"], center["initial_pivot_y"]
         set_initial(row)
-        for field in _MOTION:
-            row[field] = center[field]
         row["orientation"] = center["orientation"]
         row["hinge_x"], row["hinge_y"] = center["hinge_x"], center["hinge_y"]
         row["pivot_x"], row["pivot_y"] = center["pivot_x"], center["pivot_y"]
+        if center["time_left"] > 0.0:
+            pivot = float(center["target_pivot_x"]), float(center["target_pivot_y"])
+            shape._sent(row, shape, pivot, float(center["target_orientation"]), float(center["time_left"]))
+        for field in _MOTION:
+            row[field] = center[field]
         return shape._posed(row, name, shape)
 
     # -- who it is ---------------------------------------------------------------------------------------------------

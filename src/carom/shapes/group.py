@@ -5,11 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from carom.checks import number, pair
+from carom.checks import number, pair, positive
 from carom.rows import Motion, Row
-from carom.shapes.rails import write_angular_velocity, write_rotating, write_turn_limits, write_velocity
+from carom.shapes.rails import (
+    target_orientation,
+    target_pivot,
+    write_angular_velocity,
+    write_rotating,
+    write_turn_limits,
+    write_velocity,
+)
 from carom.shapes.shape import Shape
-from carom.spelling import Spelled
+from carom.spelling import Spelled, spelled
 from carom.turns import changing
 from carom.typing import Pair, Vector
 
@@ -85,6 +92,31 @@ class Group(Spelled):
         """Nothing; turns all parts by the angle `value` about (x, y)."""
         angle = number(name, value)
         self._write([part._turned(name, value, x, y, angle) for part in self._parts])
+
+    @spelled
+    @changing
+    def move_to(self, position: Pair, dt: float, orientation: float | None = None) -> None:
+        """Set the velocity and spin that bring it to a place in `dt` seconds, after which it rests there, exactly.
+
+        Whatever else is set of its place or motion before it arrives lets it rest where it is.
+
+        Args:
+            position: Where its `position`, the `center_point`, is to be; its pivot travels there straight.
+            dt: Seconds until then, from now; positive. The length of a step for what follows the mouse.
+            orientation: What its `orientation` is to be, in radians; None keeps the one that it has.
+
+        Raises:
+            InvalidArgument: `dt` is not positive or too short for finite speeds, or the orientation is beyond the turn
+                limits or not to be reached because `rotating` is off.
+        """
+        x, y = pair("position", position)
+        duration = positive("dt", dt)
+        row = self.center_point._row
+        turn = target_orientation(row, orientation)
+        pivot = target_pivot(row, x, y, turn)
+        rows = [part._sent(part._row.copy(), position, pivot, turn, duration) for part in self._parts]
+        rows[0]["target_x"], rows[0]["target_y"] = x, y
+        self._write(rows)
 
     @changing
     def reset(self) -> None:

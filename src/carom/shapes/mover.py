@@ -7,12 +7,23 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from carom.checks import number, pair, refuse
+from carom.checks import number, pair, positive, refuse
 from carom.rows import KINEMATIC, SHAPE, Motion, Row
 from carom.shapes.member import Member
 from carom.shapes.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
-from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+from carom.shapes.rails import (
+    halt,
+    send,
+    target_orientation,
+    target_pivot,
+    write_angular_velocity,
+    write_motion,
+    write_rotating,
+    write_turn_limits,
+    write_velocity,
+)
 from carom.shapes.table import Home, Table
+from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import MotionName, Pair, Vector
 
@@ -63,13 +74,29 @@ class Mover(Member):
         if self._compound is not None:
             raise refuse(name, "must be left to the compound that the shape is part of", value)
 
+    def _still_row(self) -> Row:
+        """A copy of the row, at rest where it is if `move_to` has sent it somewhere."""
+        row = self._row.copy()
+        halt(row)
+        return row
+
+    def _sent(self, row: Row, position: object, pivot: Vector, orientation: float, dt: float) -> Row:
+        """The row, set going to a pivot and an orientation; raises, `position` to blame, where it cannot be there."""
+        send(row, pivot, orientation, dt)
+        there = row.copy()
+        there["pivot_x"], there["pivot_y"] = pivot
+        there["orientation"] = orientation
+        self._posed(there, "position", position)
+        row["target_x"], row["target_y"] = there["cx"], there["cy"]
+        return row
+
     def _set_geometry(self, name: str, value: object, **fields: float) -> None:
         """Nothing; writes fields of the current geometry, which becomes the initial one, or raises.
 
         A pivot that is the shape's position stays so.
         """
         self._refuse_part(name, value)
-        row = self._row.copy()
+        row = self._still_row()
         centred = row["pivot_x"] == row["cx"] and row["pivot_y"] == row["cy"]
         for field, new in fields.items():
             row[field] = new
@@ -85,7 +112,7 @@ class Mover(Member):
 
         Raises where that fails.
         """
-        row = self._row.copy()
+        row = self._still_row()
         from_x, from_y = self.position
         x, y = place
         row["cx"], row["cy"] = x, y
@@ -99,7 +126,7 @@ class Mover(Member):
 
     def _hung(self, name: str, value: object, x: float, y: float) -> Row:
         """A copy of the row with its pivot at (x, y), and the shape as it stands initial; raises where that fails."""
-        row = self._row.copy()
+        row = self._still_row()
         row["pivot_x"], row["pivot_y"] = x, y
         self._check(row, name, value)
         set_initial(row)
@@ -111,7 +138,7 @@ class Mover(Member):
         What has travelled since takes its initial geometry along, and its pivot has the same place in that until
         another pivot is given: so to turn it to where it is turned already changes nothing.
         """
-        row = self._row.copy()
+        row = self._still_row()
         low, high = float(row["turn_low"]), float(row["turn_high"])
         if row["turn_limited"] and not low <= angle <= high:
             raise refuse(name, f"must be within turn_limits={(low, high)}", value)
@@ -204,13 +231,50 @@ class Mover(Member):
 
     def _restored(self) -> Row:
         """A copy of the row at its initial geometry and pivot."""
-        row = self._row.copy()
+        row = self._still_row()
         row["hinge_x"], row["hinge_y"] = row["initial_pivot_x"], row["initial_pivot_y"]
         row["pivot_x"], row["pivot_y"] = row["initial_pivot_x"], row["initial_pivot_y"]
         row["orientation"] = 0.0
         return self._posed(row, "reset", None)
 
     # -- motion ------------------------------------------------------------------------------------------------------
+
+    @spelled
+    @changing
+    def move_to(self, position: Pair, dt: float, orientation: float | None = None) -> None:
+        """Set the velocity and spin that bring the shape to a place in `dt` seconds, after which it rests there.
+
+        It comes there exactly, whatever the steps, and pushes balls as anything does that moves; `position =` puts it
+        there at once, onto whatever is there. Called again, it goes on from where it is. Whatever else is set of its
+        place or motion before it arrives lets it rest where it is.
+
+        Args:
+            position: Where its `position` is to be; its pivot travels there straight.
+            dt: Seconds until then, from now; positive. The length of a step for what follows the mouse.
+            orientation: What its `orientation` is to be, in radians; None keeps the one that it has.
+
+        Raises:
+            InvalidArgument: The shape is static or part of a compound, `dt` is not positive or too short for finite
+                speeds, or the orientation is beyond the turn limits or not to be reached because `rotating` is off.
+
+        >>> import carom
+        >>> world = carom.World(detection="continuous")
+        >>> paddle = world.add(carom.Segment((-1, 0), (1, 0), motion="kinematic"))
+        >>> paddle.move_to((3, 0.5), dt=0.1)
+        >>> hits = world.run(0.2)
+        >>> paddle.position, paddle.velocity
+        ((3.0, 0.5), (0.0, 0.0))
+        """
+        x, y = pair("position", position)
+        duration = positive("dt", dt)
+        self._refuse_part("position", position)
+        row = self._row
+        if row["motion"] != KINEMATIC:
+            raise refuse("motion", "must be 'kinematic' for a shape that is to move", "static")
+        turn = target_orientation(row, orientation)
+        sent = self._sent(row.copy(), position, target_pivot(row, x, y, turn), turn, duration)
+        sent["target_x"], sent["target_y"] = x, y
+        self._write(sent)
 
     @property
     def motion(self) -> Motion:

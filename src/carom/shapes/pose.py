@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from math import cos, sin
 
+from carom.constants import STOP_MARGIN
 from carom.geometry.aabb import arc_box, circle_box, segment_box
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import length, rotated, unit
-from carom.rows import ARC, CIRCLE, GATE, KINEMATIC, SEGMENT, STATIC, Row
+from carom.rows import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, SEGMENT, STATIC, Row
 
 
 def derive(shape: Row) -> None:
@@ -182,14 +183,21 @@ def advance_pose(shape: Row, h: float) -> bool:
     """Whether the shape moved in one substep of h seconds; moves it.
 
     Stores what the substep began with (orientation_before, pivot_before) and the spin that acted in it. A stop is met
-    exactly, and then angular_velocity is 0, while spin stays what it was on the way. A shape that neither turns nor
-    travels is left as it is, bit for bit.
+    exactly, and then angular_velocity is 0, while spin stays what it was on the way. So is the place where `move_to`
+    sends it; its velocity stays what it was until `rest` takes it away. A shape that neither turns nor travels is left
+    as it is, bit for bit.
     """
     set_before(shape)
     spin = acting_spin(shape)
     shape["spin"] = spin
     if shape["motion"] != KINEMATIC:
         return False
+    left = float(shape["time_left"])
+    if left > 0.0:
+        if left <= h * STOP_MARGIN:
+            _arrive(shape)
+            return True
+        shape["time_left"] = left - h
     if shape["rotating"]:
         _advance_orientation(shape, spin, h)
     x, y = float(shape["velocity_x"]), float(shape["velocity_y"])
@@ -216,6 +224,28 @@ def _advance_orientation(shape: Row, spin: float, h: float) -> None:
             orientation = low
             shape["angular_velocity"] = 0.0
     shape["orientation"] = orientation
+
+
+def _arrive(shape: Row) -> None:
+    """Put a shape where `move_to` sent it, to the bit."""
+    shape["pivot_x"] = shape["target_pivot_x"]
+    shape["pivot_y"] = shape["target_pivot_y"]
+    shape["orientation"] = shape["target_orientation"]
+    shape["angular_velocity"] = 0.0
+    shape["time_left"] = ARRIVED
+    pose(shape)
+    shape["cx"] = shape["target_x"]
+    shape["cy"] = shape["target_y"]
+    if shape["kind"] != SEGMENT and shape["kind"] != GATE:
+        derive(shape)
+
+
+def rest(shape: Row) -> None:
+    """Let a shape rest that has come where `move_to` sent it."""
+    if shape["time_left"] < 0.0:
+        shape["velocity_x"] = 0.0
+        shape["velocity_y"] = 0.0
+        shape["time_left"] = 0.0
 
 
 def surface_velocity(shape: Row, spin: float, px: float, py: float) -> tuple[float, float]:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from math import cos, isfinite, sin
 from typing import Any
 
 from carom.checks import flag, number, one_of, pair, refuse
+from carom.geometry.vector import rotated
 from carom.rows import DYNAMIC, KINEMATIC, STATIC, Motion, Row
+from carom.typing import Vector
 
 _MOTIONS = {"static": STATIC, "kinematic": KINEMATIC}
 
@@ -19,11 +22,52 @@ def motion_value(value: Any) -> int:
     return _MOTIONS[one_of("motion", value, tuple(_MOTIONS))]
 
 
+def halt(row: Row) -> None:
+    """Let the row rest where it is, if `move_to` has sent it somewhere."""
+    if row["time_left"] > 0.0:
+        row["time_left"] = row["velocity_x"] = row["velocity_y"] = row["angular_velocity"] = 0.0
+
+
+def target_pivot(row: Row, x: float, y: float, orientation: float) -> Vector:
+    """Where the row's pivot is to be so that its position is (x, y), turned to `orientation`."""
+    dx = float(row["initial_cx"]) - float(row["hinge_x"])
+    dy = float(row["initial_cy"]) - float(row["hinge_y"])
+    if orientation != 0.0:
+        dx, dy = rotated(dx, dy, cos(orientation), sin(orientation))
+    return x - dx, y - dy
+
+
+def target_orientation(row: Row, value: Any) -> float:
+    """The orientation that `value` asks for, or that the row has for None; raises where it cannot turn there."""
+    if value is None:
+        return float(row["orientation"])
+    orientation = number("orientation", value)
+    low, high = float(row["turn_low"]), float(row["turn_high"])
+    if row["turn_limited"] and not low <= orientation <= high:
+        raise refuse("orientation", f"must be within turn_limits={(low, high)}", value)
+    if not row["rotating"] and orientation != row["orientation"]:
+        raise refuse("orientation", "must be None while rotating is False", value)
+    return orientation
+
+
+def send(row: Row, pivot: Vector, orientation: float, dt: float) -> None:
+    """Set the row's speeds so that it has this pivot and orientation after `dt` seconds; raises where they overflow."""
+    halt(row)
+    row["target_pivot_x"], row["target_pivot_y"] = x, y = pivot
+    row["target_orientation"] = orientation
+    row["time_left"] = dt
+    row["velocity_x"], row["velocity_y"] = (x - float(row["pivot_x"])) / dt, (y - float(row["pivot_y"])) / dt
+    row["angular_velocity"] = (orientation - float(row["orientation"])) / dt
+    if not all(isfinite(row[field]) for field in ("velocity_x", "velocity_y", "angular_velocity")):
+        raise refuse("dt", "must be long enough for finite speeds", dt)
+
+
 def write_motion(row: Row, value: Any) -> None:
     """Nothing; makes the row static or kinematic. A row that still moves, or has stops, cannot become static."""
     motion = motion_value(value)
     if motion == STATIC:
         moving = row["angular_velocity"] != 0.0 or row["velocity_x"] != 0.0 or row["velocity_y"] != 0.0
+        moving = moving or row["time_left"] > 0.0
         if moving or row["turn_limited"]:
             needs = "must stay 'kinematic' while angular_velocity, velocity or turn_limits is set"
             raise refuse("motion", needs, value)
@@ -35,12 +79,15 @@ def write_angular_velocity(row: Row, value: Any) -> None:
     angular_velocity = number("angular_velocity", value)
     if angular_velocity != 0.0:
         _need_kinematic(row, "angular_velocity", value)
+    halt(row)
     row["angular_velocity"] = angular_velocity
 
 
 def write_rotating(row: Row, value: Any) -> None:
     """Nothing; sets whether the row's angular velocity acts."""
-    row["rotating"] = flag("rotating", value)
+    rotating = flag("rotating", value)
+    halt(row)
+    row["rotating"] = rotating
 
 
 def write_velocity(row: Row, value: Any) -> None:
@@ -48,6 +95,7 @@ def write_velocity(row: Row, value: Any) -> None:
     x, y = pair("velocity", value)
     if x != 0.0 or y != 0.0:
         _need_kinematic(row, "velocity", value)
+    halt(row)
     row["velocity_x"], row["velocity_y"] = x, y
 
 
@@ -57,6 +105,7 @@ def write_turn_limits(row: Row, value: Any) -> None:
     They must hold 0, the initial orientation to which `reset` goes back, and the orientation as it is.
     """
     if value is None:
+        halt(row)
         row["turn_limited"], row["turn_low"], row["turn_high"] = False, 0.0, 0.0
         return
     low, high = pair("turn_limits", value)
@@ -65,6 +114,7 @@ def write_turn_limits(row: Row, value: Any) -> None:
         held = "0" if orientation == 0.0 else f"0 and the orientation {orientation!r}"
         raise refuse("turn_limits", f"must be (low, high) with {held} between them", value)
     _need_kinematic(row, "turn_limits", value)
+    halt(row)
     row["turn_limited"], row["turn_low"], row["turn_high"] = True, low, high
 
 

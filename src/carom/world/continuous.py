@@ -108,7 +108,7 @@ def step_continuous(
                 state, balls, shapes, order, index, cells, members, starts, hits, relations, flights, queue
             )  # fmt: skip
         elif stage == FINISH:
-            status = finish(state, balls, shapes, hits, relations)
+            status = finish(state, balls, shapes, order, hits, relations)
         else:
             status = end_step(states, balls, shapes, order, saved, relations)
         if status != DONE:

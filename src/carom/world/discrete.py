@@ -8,6 +8,7 @@ from __future__ import annotations
 from carom.constants import NEW_CELLS
 from carom.geometry.vector import length
 from carom.rows import Row, Rows
+from carom.shapes.pose import rest as let_rest
 from carom.world.ending import finish_substep, sweep_relations
 from carom.world.grid import pairs_by_grid
 from carom.world.layout import (
@@ -74,7 +75,7 @@ def step_discrete(
                 state, balls, shapes, index, cells, members, pairs, saved, hits, relations
             )  # fmt: skip
         elif stage == FINISH:
-            status = finish(state, balls, shapes, hits, relations)
+            status = finish(state, balls, shapes, order, hits, relations)
         else:
             status = end_step(states, balls, shapes, order, saved, relations)
         if status != DONE:
@@ -325,14 +326,16 @@ def meet_all_pairs(
     return DONE
 
 
-def finish(state: Row, balls: Rows, shapes: Rows, hits: Rows, relations: Rows) -> int:
-    """DONE when ending relations, friction and sleep are dealt with; the next substep or the end is to come."""
+def finish(state: Row, balls: Rows, shapes: Rows, order: Rows, hits: Rows, relations: Rows) -> int:
+    """DONE when relations, movers that have arrived, friction and sleep are dealt with; what is next is to come."""
     if state["relations"] > 0:
         if len(hits) - state["hits"] < state["relations"]:
             state["wanted_hits"] = state["hits"] + state["relations"]
             return NEEDS_ROOM
         sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
     finish_substep(state, balls, substep_length(state))
+    for k in range(state["fixed"], state["shapes"]):
+        let_rest(shapes[order[k]])
     state["substep"] += 1
     enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)
     return DONE

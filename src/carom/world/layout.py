@@ -123,7 +123,7 @@ STATE = np.dtype(
         ("stage_entered", "i8"),  # whether what the stage does once is done
         ("substep", "i8"),
         ("span_begin", "f8"),  # of the substep that is done when the span begins, in seconds
-        ("span", "f8"),  # its length: the substep, or until the next shape reaches a stop
+        ("span", "f8"),  # its length: the substep, or until the next shape stops or arrives
         ("queued", "i8"),
         ("swept", "i8"),  # whether `pairs` are all that may meet in the span, if nothing changes a path
         ("binned", "i8"),

@@ -110,9 +110,13 @@ def _check_shapes(shapes: Rows) -> None:
     need((shapes["elasticity"] >= 0.0).all() and (shapes["kick"] >= 0.0).all(), "shapes with a bad elasticity or kick")
     need((shapes["radius"][(kinds == CIRCLE) | (kinds == ARC)] > 0.0).all(), "circles with a bad radius")
     moving = (shapes["angular_velocity"] != 0.0) | (shapes["velocity_x"] != 0.0) | (shapes["velocity_y"] != 0.0)
+    moving |= shapes["time_left"] != 0.0
+    need((shapes["time_left"] >= 0.0).all(), "shapes that have arrived and do not rest")
     need(not ((moving | (shapes["turn_limited"] != 0)) & (motions == STATIC)).any(), "static shapes that move")
     limited = shapes[shapes["turn_limited"] != 0]
     inside = (limited["turn_low"] <= limited["orientation"]) & (limited["orientation"] <= limited["turn_high"])
+    sent = limited["target_orientation"]
+    inside &= (limited["time_left"] == 0.0) | ((limited["turn_low"] <= sent) & (sent <= limited["turn_high"]))
     need((inside & (limited["turn_low"] <= 0.0) & (limited["turn_high"] >= 0.0)).all(), "shapes beyond their stops")
     arcs = shapes[kinds == ARC]
     for field in ("start_angle", "end_angle", "initial_start_angle", "initial_end_angle"):

@@ -1,10 +1,10 @@
-"""Spans of a substep: from one time at which a shape reaches a stop to the next, shapes move evenly."""
+"""Spans of a substep: from one time at which a shape stops or arrives to the next, shapes move evenly."""
 
 from __future__ import annotations
 
 from carom.constants import FEW_BALLS, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
 from carom.rows import KINEMATIC, Row, Rows
-from carom.shapes.pose import acting_spin, advance_pose, set_before
+from carom.shapes.pose import acting_spin, advance_pose, rest, set_before
 from carom.world.bins import may_meet
 from carom.world.flight import begin_flight, top_speed
 from carom.world.grid import pairs_by_grid
@@ -21,13 +21,13 @@ def time_to_stop(shape: Row) -> float:
     return (stop - float(shape["orientation"])) / spin
 
 
-def span_length(state: Row, shapes: Rows, order: Rows, rest: float) -> float:
-    """The time until the next kinematic shape reaches a stop, or the `rest` of the substep if none does before."""
-    span = rest
+def span_length(state: Row, shapes: Rows, order: Rows, left: float) -> float:
+    """The time until the next kinematic shape stops or arrives, or what is `left` of the substep if none does."""
+    span = left
     for k in range(state["fixed"], state["shapes"]):
-        time = time_to_stop(shapes[order[k]])
-        if 0.0 < time < span:
-            span = time
+        for time in (time_to_stop(shapes[order[k]]), float(shapes[order[k]]["time_left"])):
+            if 0.0 < time < span:
+                span = time
     return span
 
 
@@ -52,6 +52,7 @@ def move_shapes_on(state: Row, shapes: Rows, order: Rows) -> None:
             span = span * STOP_MARGIN
         if shape["motion"] == KINEMATIC and advance_pose(shape, span):
             state["moving_stale"] = 1
+        rest(shape)
 
 
 def begin_flights(state: Row, balls: Rows, flights: Rows) -> bool:
