@@ -19,7 +19,9 @@ PHASES = {"brute": BRUTE, "grid": GRID, "quadtree": QUADTREE}
 
 def ball_rows(balls: Iterable[Ball]) -> Rows:
     """Rows of balls at rest from places and radii."""
-    rows = np.array([(x, y, 0.0, 0.0, radius, *[0] * 11) for x, y, radius in balls], BALL)
+    places = np.array(list(balls), np.float64).reshape(-1, 3)
+    rows = np.zeros(len(places), BALL)
+    rows["x"], rows["y"], rows["radius"] = places.T
     rows["mass"] = rows["elasticity"] = rows["layer"] = rows["can_collide"] = 1
     rows["collides_with"], rows["relation"] = ALL_LAYERS, NO_RELATION
     rows["id"] = np.arange(1, len(rows) + 1)
