@@ -42,6 +42,7 @@ SNAPSHOT = quiet().snapshot()
 METHODS: dict[str, Callable[[Any], Any]] = {
     "add": lambda member: member.add(carom.Point((0, 0))),
     "move": lambda member: member.move(0.1),
+    "move_to": lambda member: member.move_to((1, 1), 0.1),
     "reset": lambda member: member.reset(),
     "respond": lambda member: member.respond(carom.Contact(member, carom.Ball((0, 0), 1), (0, 0), (1, 0), 0.1, 0.0)),
     "rotate": lambda member: member.rotate((0, 0), 0.1),
