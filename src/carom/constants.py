@@ -203,9 +203,17 @@ SQUEEZE_GAP = 0.05
 #: no room are pressed for longer.
 PRESS_DEPTH = 0.25
 
+#: Iterations of a substep after which a mover that presses a ball onto a shape at rest does not bounce it any more.
+#: Fewer, and a shot out of a nook loses speed; more, and one that is squeezed gets faster than it is pushed.
+PRESS_ITERATIONS = 2
+
 #: Fraction of a ball's radius: a push takes a ball's centre no nearer than this to the side of a shape, so that a ball
 #: which moves by less than half its radius a substep does not cross it next. Smaller, and such a ball may.
 SIDE_ROOM = 0.5
+
+#: Fraction of a ball's radius: what a shape and then other balls have pushed by no more than this each comes to no
+#: other shape's side, so nobody looks. At most half of 1 - SIDE_ROOM.
+CROWD_WAY = 0.25
 
 #: Share of a setback: a push by a shape at rest that comes too near to another's side is halved down to this, and then
 #: left to the next iteration.

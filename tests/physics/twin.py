@@ -15,6 +15,7 @@ ORDER = ("point", "segment", "gate", "circle", "arc")
 END_DEPTH = 0.25
 PRESS_DEPTH = 0.25
 SIDE_ROOM = 0.5
+CROWD_WAY = 0.25
 LEAST_SHARE = 0.125
 SAMPLES = 400
 CLOSE = 1e-9
@@ -230,6 +231,9 @@ class TwinWorld:
     found: bool = False
     doubtful: bool = False  # whether rounding may have decided something that shows
     faint: bool = False  # whether it may have decided that one more iteration follows
+    touching: set[int] = field(default_factory=set)  # balls that overlapped a shape when they met the shapes last
+    crowded: set[int] = field(default_factory=set)  # and that may be near the side of another
+    met: list[Vector] = field(default_factory=list)  # where each ball was when it had met the shapes last
     stuck: bool = False  # whether a ball had no room, which one more iteration may change
 
     def substep(self, h: float) -> None:
@@ -250,10 +254,12 @@ class TwinWorld:
         )
         for iteration in range(self.iterations):
             self.found = False
+            self.touching, self.crowded = set(), set()
             for i, ball in enumerate(self.balls):
                 if not ball.asleep:
                     for k in order:
                         self.meet_shape(i, k, iteration, starts[i], moved[i], rest)
+            self.met = [ball.place for ball in self.balls]
             for i, j in self.pairs():
                 self.meet_pair(i, j, rest)
             if not self.found:
@@ -309,7 +315,7 @@ class TwinWorld:
         depth = self.pressed(i, k, scaled(normal, setback), normal)
         if iteration + 1 == self.iterations and depth > PRESS_DEPTH * ball.radius:
             return 0.0, False
-        return share, moves and depth > 0.0 and (iteration > 0 or self.iterations == 1)
+        return share, moves and depth > 0.0 and (iteration >= 2 or iteration + 1 == self.iterations)
 
     def meet_shape(self, i: int, k: int, iteration: int, start: Vector, moved: Vector, rest: float) -> None:
         """A ball and a shape."""
@@ -345,6 +351,9 @@ class TwinWorld:
             return
         self.found = True
         setback *= share
+        if i in self.touching or share < 1.0 or setback > CROWD_WAY * ball.radius:
+            self.crowded.add(i)
+        self.touching.add(i)
         ball.place = plus(ball.place, normal, setback)
         if s < -ROUNDING:
             squared = s * s + 2 * dot(self.gravity, normal) * setback
@@ -389,9 +398,11 @@ class TwinWorld:
         self.found = True
         normal = gap[0] / distance, gap[1] / distance
         setback, total = a.radius + b.radius - distance, a.mass + b.mass
-        for k, push in ((i, -setback * b.mass / total), (j, setback * a.mass / total)):
-            if not self.room(k, None, scaled(normal, push)):
-                self.balls[k].place = plus(self.balls[k].place, normal, push)
+        ways = {i: scaled(normal, -setback * b.mass / total), j: scaled(normal, setback * a.mass / total)}
+        free = not any(self.is_crowded(k, way) for k, way in ways.items())
+        for k, way in ways.items():
+            if free or not self.room(k, None, way):
+                self.balls[k].place = plus(self.balls[k].place, way)
         u1, u2 = dot(a.velocity, normal), dot(b.velocity, normal)
         if u1 - u2 > ROUNDING:
             e = a.elasticity * b.elasticity
@@ -408,6 +419,12 @@ class TwinWorld:
         for ball in (a, b):
             ball.asleep = False
             self.slow(ball)
+
+    def is_crowded(self, i: int, way: Vector) -> bool:
+        """Whether a ball that is pushed may come to a shape's side: several shapes pushed it, or balls did so far."""
+        near = CROWD_WAY if i in self.touching else 1 - SIDE_ROOM
+        far = hypot(*minus(plus(self.balls[i].place, way), self.met[i])) > near * self.balls[i].radius
+        return far or i in self.crowded
 
     def slow(self, ball: TwinBall) -> None:
         """Keep to `max_speed`."""

@@ -15,12 +15,14 @@ from carom.world.layout import (
     BEGIN,
     BRUTE,
     COUNTED,
+    CROWDED,
     DISCRETE,
     DONE,
     END,
     FIND_PAIRS,
     FINISH,
     GRID,
+    MET,
     MOVE,
     NEEDS_PAIRS,
     NEEDS_ROOM,
@@ -31,9 +33,17 @@ from carom.world.layout import (
     SHAPES_DUE,
 )
 from carom.world.motion import move_ball, move_shapes
-from carom.world.narrow import balls_overlap, boxes_apart, may_collide, meet_ball, meet_sensing_ball, meet_shape
+from carom.world.narrow import (
+    balls_overlap,
+    boxes_apart,
+    keep_side,
+    may_collide,
+    meet_ball,
+    meet_sensing_ball,
+    meet_shape,
+    overlap_with,
+)
 from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
-from carom.world.relations import relations_room
 from carom.world.safety import begin_step, end_step, roll_back, shapes_are_sound
 from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
 from carom.world.surfaces import is_moving
@@ -68,6 +78,9 @@ def step_discrete(
             status = begin_substep(states, balls, shapes, order, index, cells, members, saved, relations)
         elif stage == SHAPES:
             status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+        elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
+            enter_stage(state, FINISH)
+            status = DONE
         elif stage == FIND_PAIRS:
             status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
         elif stage == PAIRS:
@@ -182,18 +195,13 @@ def meet_all_shapes(
     settling = state["iteration"] == state["iterations"]
     kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
     duration = substep_length(state)
-    time = hit_time(state)
-    rest = rest_speed(state)
     gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
     most = most_meetings(state, index)
     for i in range(state["cursor"], state["balls"]):
         ball = balls[i]
         if ball["asleep"] != 0 or not (first or saved[i]["touched"] & SHAPES_DUE):
             continue
-        if len(hits) - state["hits"] < most or relations_room(state, relations) < most:
-            state["cursor"] = i
-            state["wanted_hits"] = state["hits"] + most
-            state["wanted_relations"] = state["relations"] + most
+        if lacks_room(state, len(hits), len(relations), i, most):
             return NEEDS_ROOM
         from_x, from_y = float(ball["x"]), float(ball["y"])
         if first:
@@ -201,8 +209,7 @@ def meet_all_shapes(
         saved[i]["touched"] &= kept
         to_x, to_y = float(ball["x"]), float(ball["y"])
         for turn in range(2):
-            which = 1 - turn if settling else turn
-            entry = index[which]
+            entry = index[1 - turn if settling else turn]
             cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
             k, end = cell_span(cells, cell)
             state["box_tests"] += end - k
@@ -213,9 +220,13 @@ def meet_all_shapes(
                 shape = shapes[row]
                 if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
                     continue
+                contact = overlap_with(state, ball, shape)
+                if contact is None:
+                    continue
+                px, py, nx, ny, setback = contact
                 pushed = meet_shape(
                     state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
-                    time, rest, first, from_x, from_y, to_x, to_y,
+                    hit_time(state), rest_speed(state), first, from_x, from_y, to_x, to_y, px, py, nx, ny, setback,
                 )  # fmt: skip
                 if pushed and left > 0:
                     new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
@@ -225,8 +236,20 @@ def meet_all_shapes(
                         state["box_tests"] -= end - k
                         k, end = rest_of_cell(shapes, cells, members, cell, row)
                         state["box_tests"] += end - k
+        saved[i]["met_x"] = ball["x"]
+        saved[i]["met_y"] = ball["y"]
     enter_stage(state, FINISH if settling else FIND_PAIRS)
     return DONE
+
+
+def lacks_room(state: Row, hits: int, relations: int, cursor: int, most: int) -> bool:
+    """True if tables of such lengths lack room for so much more; then the stage is to go on at the cursor with more."""
+    if hits - state["hits"] >= most and relations // 2 - state["relations"] >= most:
+        return False
+    state["cursor"] = cursor
+    state["wanted_hits"] = state["hits"] + most
+    state["wanted_relations"] = state["relations"] + most
+    return True
 
 
 def most_meetings(state: Row, index: Rows) -> int:
@@ -267,7 +290,7 @@ def find_pairs(
     if state["iteration"] > 0:
         count = keep_due(pairs, count, saved)
     for i in range(state["balls"]):
-        saved[i]["touched"] &= SHAPES_DUE | COUNTED
+        saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
     state["pairs"] = count
     enter_stage(state, PAIRS)
     return DONE
@@ -304,10 +327,7 @@ def meet_all_pairs(
     time = hit_time(state)
     rest = rest_speed(state)
     for k in range(state["cursor"], state["pairs"]):
-        if state["hits"] >= len(hits) or relations_room(state, relations) < 1:
-            state["cursor"] = k
-            state["wanted_hits"] = state["hits"] + 1
-            state["wanted_relations"] = state["relations"] + 1
+        if lacks_room(state, len(hits), len(relations), k, 1):
             return NEEDS_ROOM
         i = min(int(pairs[k, 0]), int(pairs[k, 1]))
         j = max(int(pairs[k, 0]), int(pairs[k, 1]))
@@ -316,10 +336,10 @@ def meet_all_pairs(
             if first["sensor"] != 0 or second["sensor"] != 0:
                 meet_sensing_ball(state, first, i, second, j, hits, relations, time)
             else:
-                meet_ball(
-                    state, first, second, shapes, index, cells, members, relations, saved[i], saved[j],
-                    hits[state["hits"]], time, rest,
-                )  # fmt: skip
+                x1, y1, x2, y2 = float(first["x"]), float(first["y"]), float(second["x"]), float(second["y"])
+                if meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]], time, rest):
+                    keep_side(state, first, saved[i], shapes, index, cells, members, relations, x1, y1)
+                    keep_side(state, second, saved[j], shapes, index, cells, members, relations, x2, y2)
     state["iteration"] += 1
     enter_stage(state, SHAPES if state["found"] > 0 else FINISH)
     state["found"] = 0

@@ -65,6 +65,8 @@ NO_BALL = -1
 SHAPES_DUE = 1
 PAIRS_DUE = 2
 COUNTED = 4  # not due, but done: it was counted as squeezed in this substep
+MET = 8  # it has overlapped a shape when it met the shapes last
+CROWDED = 16  # more than one, or one so deep or with so little room that it may be near the side of another
 
 #: Settings, time, counts, statistics and the place of a step that was interrupted: a table of two rows, the second of
 #: which is the copy that a step which fails is rolled back to.
@@ -213,10 +215,12 @@ SAVED = np.dtype(
         ("vx", "f8"),
         ("vy", "f8"),
         ("still_time", "f8"),
+        ("met_x", "f8"),  # where it was when it had met the shapes last
+        ("met_y", "f8"),
         ("relation", "i4"),
         ("asleep", "u1"),
         ("stray", "u1"),
-        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED
+        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED, MET, CROWDED
         ("overflowed", "u1"),  # the ball was not finite when a step was undone
     ]
 )

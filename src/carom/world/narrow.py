@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from math import cos, fabs, sin
 
-from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_DISCRETE, LEAST_SHARE, PRESS_DEPTH, SEPARATION_SLACK
+from carom.constants import (
+    APPROACH_ROUNDING_SQUARED,
+    CROWD_WAY,
+    END_DEPTH_DISCRETE,
+    LEAST_SHARE,
+    PRESS_DEPTH,
+    PRESS_ITERATIONS,
+    SEPARATION_SLACK,
+    SIDE_ROOM,
+)
 from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
@@ -12,7 +21,18 @@ from carom.geometry.vector import cross, dot, larger, length, length_squared, ro
 from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
-from carom.world.layout import COUNTED, DISCRETE, ENTER, INSIDE_BALL, INSIDE_SHAPE, PAIRS_DUE, PASSING, SHAPES_DUE
+from carom.world.layout import (
+    COUNTED,
+    CROWDED,
+    DISCRETE,
+    ENTER,
+    INSIDE_BALL,
+    INSIDE_SHAPE,
+    MET,
+    PAIRS_DUE,
+    PASSING,
+    SHAPES_DUE,
+)
 from carom.world.motion import rouse, wake
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, find_relation
@@ -120,6 +140,20 @@ def starts_passing(
     return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
 
 
+def overlap_with(state: Row, ball: Row, shape: Row) -> tuple[float, float, float, float, float] | None:
+    """The overlap of a ball with a shape that its box meets, as `find_contact` gives it, or None."""
+    state["full_tests"] += 1
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
+    contact = find_contact(shape, x, y, radius, float(ball["vx"]) - ux, float(ball["vy"]) - uy)
+    if contact is None:
+        return None
+    _px, _py, _nx, _ny, setback = contact
+    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * radius:
+        return None
+    return contact
+
+
 def meet_shape(
     state: Row,
     ball: Row,
@@ -139,22 +173,18 @@ def meet_shape(
     from_y: float,
     to_x: float,
     to_y: float,
+    px: float,
+    py: float,
+    nx: float,
+    ny: float,
+    setback: float,
 ) -> bool:
-    """True if a ball whose box meets a shape's was moved out of it; responds. There must be room: a hit, a relation.
+    """True if a ball that overlaps a shape was moved out of it; responds. There must be room: a hit, a relation.
 
     `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`. A ball that has no
     room to be moved to stays, and a shape that moves goes over it.
     """
     shape = shapes[shape_row]
-    state["full_tests"] += 1
-    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
-    contact = find_contact(shape, x, y, radius, float(ball["vx"]) - ux, float(ball["vy"]) - uy)
-    if contact is None:
-        return False
-    px, py, nx, ny, setback = contact
-    if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * radius:
-        return False
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
@@ -175,9 +205,11 @@ def meet_shape(
             add_relation(state, relations, ball, ball_row, PASSING, shape_row)
             return False
     else:
-        ball["x"] = x + setback * nx
-        ball["y"] = y + setback * ny
-    mark["touched"] |= BOTH_DUE
+        ball["x"] = float(ball["x"]) + setback * nx
+        ball["y"] = float(ball["y"]) + setback * ny
+    if mark["touched"] & MET or share < 1.0 or setback > CROWD_WAY * float(ball["radius"]):
+        mark["touched"] |= CROWDED
+    mark["touched"] |= BOTH_DUE | MET
     state["found"] += 1
     bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback, pressed)
     limit_speed(state, ball)
@@ -212,7 +244,7 @@ def room_for_push(
     if found != FREE:
         return 0.0, False
     last = state["iteration"] + 1 == state["iterations"]
-    if not last and (not moving or state["iteration"] == 0):
+    if not last and (not moving or state["iteration"] < PRESS_ITERATIONS):
         return share, False
     depth = pressed_depth(
         state, ball, shapes, index, cells, members, relations, shape_row, nx, ny, setback
@@ -315,38 +347,24 @@ def meet_sensing_ball(
 
 
 def meet_ball(
-    state: Row,
-    first: Row,
-    second: Row,
-    shapes: Rows,
-    index: Rows,
-    cells: Rows,
-    members: Rows,
-    relations: Rows,
-    mark: Row,
-    other_mark: Row,
-    hit: Row,
-    time: float,
-    rest_speed: float,
-) -> None:
-    """Let two balls that overlap respond to each other; `mark` and `other_mark` are their rows of `SAVED`.
+    state: Row, first: Row, second: Row, mark: Row, other_mark: Row, hit: Row, time: float, rest_speed: float
+) -> bool:
+    """True if two balls have been pushed apart and may have come to the side of a shape, which `keep_side` sees.
 
-    `hit` is the next free row. One that would cross the side of a shape stays.
+    They respond to each other; `mark` and `other_mark` are their rows of `SAVED`, `hit` is the next free row.
     """
     x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
     x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
     wx, wy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
     contact = overlap_ball(x1, y1, r1, x2, y2, r2, wx, wy)
     if contact is None:
-        return
+        return False
     px, py, nx, ny, setback = contact
     if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * (r1 + r2):
-        return
+        return False
     if x1 == x2 and y1 == y2:
         state["overlaps"] += 1
     push_apart(first, second, nx, ny, setback)
-    keep_side(state, first, mark, shapes, index, cells, members, relations, x1, y1)
-    keep_side(state, second, other_mark, shapes, index, cells, members, relations, x2, y2)
     mark["touched"] |= BOTH_DUE
     other_mark["touched"] |= BOTH_DUE
     state["found"] += 1
@@ -357,6 +375,17 @@ def meet_ball(
     # back to sleep at once.
     rouse(state, first)
     rouse(state, second)
+    return is_crowded(first, mark) or is_crowded(second, other_mark)
+
+
+def is_crowded(ball: Row, mark: Row) -> bool:
+    """True if a ball that another has pushed may have come to the side of a shape.
+
+    It is `CROWDED`, or far from where it met the shapes last, which left it clear of the one it overlapped, if any.
+    """
+    dx, dy = float(ball["x"]) - float(mark["met_x"]), float(ball["y"]) - float(mark["met_y"])
+    near = (CROWD_WAY if mark["touched"] & MET else 1.0 - SIDE_ROOM) * float(ball["radius"])
+    return mark["touched"] & CROWDED != 0 or dx * dx + dy * dy > near * near
 
 
 def keep_side(

@@ -101,6 +101,8 @@ def save_balls(state: Row, balls: Rows, saved: Rows) -> None:
         kept["asleep"] = ball["asleep"]
         kept["stray"] = ball["stray"]
         kept["touched"] = 0
+        kept["met_x"] = ball["x"]
+        kept["met_y"] = ball["y"]
 
 
 def save(states: Rows, balls: Rows, shapes: Rows, order: Rows, saved: Rows, relations: Rows) -> None:

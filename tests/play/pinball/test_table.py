@@ -166,7 +166,7 @@ def again(table: Table, snapshot: bytes) -> None:
 def test_a_caught_ball_can_be_shot_at_what_one_likes(table: Table) -> None:
     _, snapshot = cradled(table)
     seen = set()
-    for wait in range(184, 304, 8):
+    for wait in range(184, 304, 2):
         again(table, snapshot)
         table.left.press(False)
         table.world.run(wait * STEP, STEP)
