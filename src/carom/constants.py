@@ -13,9 +13,14 @@ END_DEPTH_DISCRETE = 0.25
 #: The same in continuous mode, where overlaps come from rounding alone.
 END_DEPTH_CONTINUOUS = 1e-6
 
-#: Fraction of a ball's radius by which slabs and sectors reach past their ends in continuous mode, so that rounding
-#: leaves no gap at an exact joint. Far above rounding (1e-16), far below anything that is seen.
+#: Fraction of a ball's radius by which slabs and sectors reach past their ends in a world, so that rounding leaves no
+#: gap at an exact joint. Far above rounding (1e-16), far below anything that is seen.
 END_SLOP = 1e-9
+
+#: Fraction of a ball's radius: a point that stands out of a wall by less is on it, and a ball beside the wall meets the
+#: wall instead (discrete). If the wall leaves the ball on the point it meets it after all, so nothing is lost but
+#: time. Smaller, and guard points of ends that were rounded apart turn balls at seams; larger, and posts are missed.
+SEAM_REACH = 1e-3
 
 #: Share of a length, default of `guard_points`: ends nearer than this part of the shorter shape are one place, whatever
 #: the unit. Well above what a few steps of arithmetic leave (1e-15), well below any gap that is meant.

@@ -18,6 +18,7 @@ SIDE_ROOM = 0.5
 CROWD_WAY = 0.25
 LEAST_SHARE = 0.125
 SAMPLES = 400
+SEAM_REACH = 1e-3
 CLOSE = 1e-9
 ROUNDING = 1e-13  # a slower approach is what is left of one that a response has ended
 
@@ -182,6 +183,12 @@ class TwinShape:
         depths = [room - (side if self.solid else abs(side)) if within else 0.0 for within, side in sides]
         return "near" if depths[-1] > max(depths[0], 0.0) else ""
 
+    def height_over(self, ball: TwinBall, place: Vector) -> float:
+        """How far a place is from the line or circle, on the side of the ball."""
+        ours = self.side(self.home(ball.place, self.turn, self.way))[0]
+        theirs = self.side(self.home(place, self.turn, self.way))[0]
+        return theirs if self.solid or ours > 0 else -theirs
+
     def touches(self, ball: TwinBall) -> bool:
         """Whether any place of the shape, its ends included, is inside the ball."""
         c = self.home(ball.place, self.turn, self.way)
@@ -344,6 +351,8 @@ class TwinWorld:
         if shape.begins_to_be_passed(ball, iteration == 0, start, moved, setback):
             self.passing.add((i, k))
             return
+        if shape.kind == "point" and self.yields(i, k, iteration == 0, start, moved):
+            return
         share, pressed = self.share_of_push(i, k, normal, setback, iteration)
         self.stuck |= share < 1.0
         if share == 0.0 and shape.moves():
@@ -369,6 +378,22 @@ class TwinWorld:
                 ball.velocity = plus(plus(surface, sliding), normal, e * approach + shape.kick)
                 self.hits.append(("bounce", i, k, ball.mass * (e * approach + shape.kick - s)))
         self.slow(ball)
+
+    def yields(self, i: int, k: int, first: bool, start: Vector, moved: Vector) -> bool:
+        """Whether a ball that overlaps a point is beside a wall that it meets, and the point on or behind that."""
+        ball, point = self.balls[i], self.shapes[k]
+        place = point.out(point.places[0])
+        answer = False
+        for j, wall in enumerate(self.shapes):
+            contact = None if wall.kind == "point" or wall.sensor else wall.overlap(ball, CLOSE)
+            if contact is None or not may_meet(ball, wall) or (i, j) in self.passing:
+                continue
+            over = wall.height_over(ball, place) - SEAM_REACH * ball.radius
+            if wall.begins_to_be_passed(ball, first, start, moved, contact[2]) or over > CLOSE:
+                continue
+            self.doubtful |= contact[2] < CLOSE or over > -CLOSE
+            answer = True
+        return answer
 
     def pairs(self) -> list[tuple[int, int]]:
         """The pairs of balls whose boxes overlap now, before any of them is responded to."""

@@ -43,6 +43,7 @@ KERNEL_MODULES = (
     "carom.world.surfaces",
     "carom.world.room",
     "carom.world.narrow",
+    "carom.world.seams",
     "carom.world.ending",
     "carom.world.safety",
     "carom.world.discrete",

@@ -41,10 +41,10 @@ from carom.world.narrow import (
     meet_ball,
     meet_sensing_ball,
     meet_shape,
-    overlap_with,
 )
 from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.safety import begin_step, end_step, roll_back, shapes_are_sound
+from carom.world.seams import overlap_beside_walls
 from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
 from carom.world.surfaces import is_moving
 
@@ -194,8 +194,7 @@ def meet_all_shapes(
     first = state["iteration"] == 0 and state["detection"] == DISCRETE
     settling = state["iteration"] == state["iterations"]
     kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
-    duration = substep_length(state)
-    gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
+    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
     most = most_meetings(state, index)
     for i in range(state["cursor"], state["balls"]):
         ball = balls[i]
@@ -220,7 +219,9 @@ def meet_all_shapes(
                 shape = shapes[row]
                 if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
                     continue
-                contact = overlap_with(state, ball, shape)
+                contact = overlap_beside_walls(
+                    state, ball, shape, shapes, index, cells, members, relations, first, from_x, from_y, to_x, to_y
+                )
                 if contact is None:
                     continue
                 px, py, nx, ny, setback = contact
@@ -236,10 +237,15 @@ def meet_all_shapes(
                         state["box_tests"] -= end - k
                         k, end = rest_of_cell(shapes, cells, members, cell, row)
                         state["box_tests"] += end - k
-        saved[i]["met_x"] = ball["x"]
-        saved[i]["met_y"] = ball["y"]
+        note_met(saved[i], ball)
     enter_stage(state, FINISH if settling else FIND_PAIRS)
     return DONE
+
+
+def note_met(mark: Row, ball: Row) -> None:
+    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
+    mark["met_x"] = ball["x"]
+    mark["met_y"] = ball["y"]
 
 
 def lacks_room(state: Row, hits: int, relations: int, cursor: int, most: int) -> bool:

@@ -8,6 +8,7 @@ from carom.constants import (
     APPROACH_ROUNDING_SQUARED,
     CROWD_WAY,
     END_DEPTH_DISCRETE,
+    END_SLOP,
     LEAST_SHARE,
     PRESS_DEPTH,
     PRESS_ITERATIONS,
@@ -18,7 +19,7 @@ from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
 from carom.geometry.vector import cross, dot, larger, length, length_squared, rotated
-from carom.rows import ARC, GATE, KINEMATIC, SEGMENT, Row, Rows
+from carom.rows import ARC, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, Row, Rows
 from carom.shapes.contact import find_contact, gate_opens
 from carom.shapes.pose import surface_velocity
 from carom.world.layout import (
@@ -37,7 +38,7 @@ from carom.world.motion import rouse, wake
 from carom.world.recording import record_hit, write_hit
 from carom.world.relations import add_relation, find_relation
 from carom.world.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
-from carom.world.surfaces import is_moving
+from carom.world.surfaces import gap_at_rest, is_moving
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
 
@@ -60,14 +61,37 @@ def boxes_apart(ball: Row, shape: Row) -> bool:
     )
 
 
-def in_reach(shape: Row, x: float, y: float) -> bool:
-    """True if (x, y) is in the slab of a segment or the sector of an arc."""
+def in_reach(shape: Row, x: float, y: float, radius: float) -> bool:
+    """True if the centre of a ball at (x, y) is in the slab of a segment or the sector of an arc, or just past them."""
     ax, ay = float(shape["ax"]), float(shape["ay"])
     if shape["kind"] == ARC:
         cx, cy = float(shape["cx"]), float(shape["cy"])
-        return in_sector(ax - cx, ay - cy, float(shape["bx"]) - cx, float(shape["by"]) - cy, x - cx, y - cy)
-    along = dot(x - ax, y - ay, float(shape["tx"]), float(shape["ty"]))
-    return 0.0 <= along <= float(shape["length"])
+        if in_sector(ax - cx, ay - cy, float(shape["bx"]) - cx, float(shape["by"]) - cy, x - cx, y - cy):
+            return True
+    else:
+        along = dot(x - ax, y - ay, float(shape["tx"]), float(shape["ty"]))
+        if 0.0 <= along <= float(shape["length"]):
+            return True
+    return gap_at_rest(shape, x, y, radius, 0.0, 0.0, END_SLOP * radius) is not None
+
+
+def contact_past_end(
+    shape: Row, x: float, y: float, radius: float, wx: float, wy: float
+) -> tuple[float, float, float, float, float] | None:
+    """What `find_contact` returns, or None, for a ball past an end of a segment or arc by no more than `END_SLOP`.
+
+    So no ball gets between two that continue each other, where rounding or the least bend leaves a gap.
+    """
+    kind = shape["kind"]
+    if kind == POINT or kind == CIRCLE:
+        return None
+    found = gap_at_rest(shape, x, y, radius, wx, wy, END_SLOP * radius)
+    if found is None:
+        return None
+    gap, nx, ny = found
+    if gap >= 0.0:
+        return None
+    return x - (radius + gap) * nx, y - (radius + gap) * ny, nx, ny, 0.0 - gap
 
 
 def seen_from(shape: Row, x: float, y: float) -> tuple[float, float]:
@@ -135,17 +159,23 @@ def starts_passing(
         return True
     radius = float(ball["radius"])
     least = END_DEPTH_DISCRETE * radius
-    if setback <= least or in_reach(shape, x, y) or not in_reach(shape, to_x, to_y):
+    if setback <= least or in_reach(shape, x, y, radius) or not in_reach(shape, to_x, to_y, radius):
         return False
     return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
 
 
 def overlap_with(state: Row, ball: Row, shape: Row) -> tuple[float, float, float, float, float] | None:
-    """The overlap of a ball with a shape that its box meets, as `find_contact` gives it, or None."""
+    """The overlap of a ball with a shape whose box it meets, as `find_contact` gives it, or None.
+
+    A little past a segment's or arc's ends too: see `contact_past_end`.
+    """
     state["full_tests"] += 1
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
-    contact = find_contact(shape, x, y, radius, float(ball["vx"]) - ux, float(ball["vy"]) - uy)
+    wx, wy = float(ball["vx"]) - ux, float(ball["vy"]) - uy
+    contact = find_contact(shape, x, y, radius, wx, wy)
+    if contact is None:
+        contact = contact_past_end(shape, x, y, radius, wx, wy)
     if contact is None:
         return None
     _px, _py, _nx, _ny, setback = contact

@@ -17,18 +17,20 @@ from carom.constants import (
     PATIENCE_DEPTH,
     PATIENCE_HALVINGS,
     PATIENCE_PART,
+    SEPARATION_SLACK,
     SLIDE_PART,
     SLIDE_TURN,
     THROW_OFF,
 )
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
-from carom.rows import ARC, GATE, NO_RELATION, SEGMENT, Row, Rows
+from carom.rows import ARC, GATE, NO_RELATION, POINT, SEGMENT, Row, Rows
 from carom.world.flight import fall_freely
 from carom.world.layout import FLYING, LASTING
 from carom.world.narrow import may_collide
 from carom.world.relations import drop_relation
-from carom.world.surfaces import gap_to_shape, is_moving, out_of_frame, velocity_of_surface
+from carom.world.seams import height_over
+from carom.world.surfaces import gap_to_shape, into_frame, is_moving, out_of_frame, velocity_of_surface
 
 
 def holding_acceleration(
@@ -149,6 +151,7 @@ def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, dura
     if flight["kind"] != FLYING or ball["relation"] == NO_RELATION:
         return
     time = float(flight["time"])
+    leave_points(state, ball, time, shapes, relations)
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
     # What gravity presses the ball onto, and then what that presses it onto.
     ax, ay = gx, gy
@@ -184,6 +187,44 @@ def lean(state: Row, ball: Row, flight: Row, shapes: Rows, relations: Rows, dura
         rest_on_one(state, ball, flight, shapes[relations[first]["other"]], changed)
     else:
         rest_on_two(ball, flight, shapes[relations[first]["other"]], shapes[relations[second]["other"]])
+
+
+def leave_points(state: Row, ball: Row, time: float, shapes: Rows, relations: Rows) -> None:
+    """End the lasting contacts of a ball with points that stand on a wall, or lie behind it, which it is beside now.
+
+    It has come over a joint; held by its point, whose normal turns as the ball goes on, it would stick there.
+    """
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        point = shapes[relations[place]["other"]]
+        lasting = relations[place]["kind"] == LASTING and point["kind"] == POINT
+        if lasting and is_on_wall_of(ball, time, point, shapes, relations):
+            place = drop_relation(state, relations, ball, place, before)
+        else:
+            before = place
+            place = int(relations[place]["next"])
+
+
+def is_on_wall_of(ball: Row, time: float, point: Row, shapes: Rows, relations: Rows) -> bool:
+    """True if a ball is beside a wall that holds it too, and a point is on that or behind it."""
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        wall = shapes[relations[place]["other"]]
+        if relations[place]["kind"] == LASTING and wall["kind"] != POINT:
+            px, py = x, y
+            qx, qy = float(point["cx"]), float(point["cy"])
+            if is_moving(point):
+                qx, qy = out_of_frame(point, time, qx, qy)
+            if is_moving(wall):
+                px, py = into_frame(wall, time, x, y)
+                qx, qy = into_frame(wall, time, qx, qy)
+            beside = gap_to_shape(wall, time, x, y, radius, 0.0, 0.0) is not None
+            if beside and height_over(wall, px, py, qx, qy) <= SEPARATION_SLACK * radius:
+                return True
+        place = int(relations[place]["next"])
+    return False
 
 
 def held_by(ball: Row, time: float, shape: Row, gx: float, gy: float) -> tuple[float, float]:
