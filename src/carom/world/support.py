@@ -197,9 +197,11 @@ def leave_points(state: Row, ball: Row, time: float, shapes: Rows, relations: Ro
     before = NO_RELATION
     place = int(ball["relation"])
     while place != NO_RELATION:
-        point = shapes[relations[place]["other"]]
-        lasting = relations[place]["kind"] == LASTING and point["kind"] == POINT
-        if lasting and is_on_wall_of(ball, time, point, shapes, relations):
+        on_wall = False
+        if relations[place]["kind"] == LASTING:  # of the other kinds, what they are with may be a ball
+            shape = shapes[relations[place]["other"]]
+            on_wall = shape["kind"] == POINT and is_on_wall_of(ball, time, shape, shapes, relations)
+        if on_wall:
             place = drop_relation(state, relations, ball, place, before)
         else:
             before = place
@@ -211,8 +213,8 @@ def is_on_wall_of(ball: Row, time: float, point: Row, shapes: Rows, relations: R
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     place = int(ball["relation"])
     while place != NO_RELATION:
-        wall = shapes[relations[place]["other"]]
-        if relations[place]["kind"] == LASTING and wall["kind"] != POINT:
+        if relations[place]["kind"] == LASTING and shapes[relations[place]["other"]]["kind"] != POINT:
+            wall = shapes[relations[place]["other"]]
             px, py = x, y
             qx, qy = float(point["cx"]), float(point["cy"])
             if is_moving(point):
