@@ -86,6 +86,7 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(
         run_python(page, lines_before, text, names)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "sh")], ids=named)
 def test_the_commands_of_a_page_run_after_the_code_before_them(

@@ -82,6 +82,7 @@ def scene(random: Random) -> dict[str, Any]:
     return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", DOORS, ids=lambda function: function.__name__)
 def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -> None:
     random = Random(function.__name__)

@@ -18,7 +18,9 @@ def near(colour: str, other: str, most: int = 12) -> bool:
     return all(abs(int(colour[at : at + 2], 16) - int(other[at : at + 2], 16)) <= most for at in (1, 3, 5))
 
 
-@pytest.mark.parametrize("frame", [0, 1, 37, 60, 119, 120])
+@pytest.mark.parametrize(
+    "frame", [37, *[pytest.param(frame, marks=pytest.mark.slow) for frame in (0, 1, 60, 119, 120)]]
+)
 def test_balls_are_where_they_were(opened: Opened, frame: int) -> None:
     recording = furnished_run()
     replay = opened(recording)

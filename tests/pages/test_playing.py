@@ -39,6 +39,7 @@ def test_it_may_not_use_the_network_even_if_it_tried(opened: Opened) -> None:
     assert replay(tried) == "refused"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", bare_runs())
 def test_every_run_is_shown_without_a_word(opened: Opened, name: str) -> None:
     replay = opened(bare_runs()[name])
@@ -283,6 +284,7 @@ def test_names_stay_text(opened: Opened) -> None:
     assert replay.said == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layer", Layer)
 def test_every_layer_can_be_switched(opened: Opened, layer: Layer) -> None:
     replay = opened(furnished_run())
@@ -307,6 +309,7 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
     assert dark.pixel(*corner) == "#fffefb"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("width", "height"),
     [(390, 844), (320, 568), (844, 390), (736, 560), (850, 560), (1024, 768), (1280, 800), (2560, 1300)],

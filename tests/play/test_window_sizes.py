@@ -132,6 +132,7 @@ sizes = st.sampled_from([size for size in SIZES if max(size) < 1300]) | st.tuple
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(frames=st.lists(st.tuples(st.lists(sizes, max_size=3), st.booleans()), max_size=6))
 def test_after_any_sizes_the_whole_picture_is_shown(frames: list[tuple[list[Size], bool]]) -> None:

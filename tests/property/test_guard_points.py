@@ -116,6 +116,7 @@ def test_details_are_seen_beside_shapes_of_any_size(shapes: list[carom.Shape], p
     assert len(places(list(corner))) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", ["star", "fan", "chain", "pile", "rings", "discs", "hands"])
 def test_thousands_of_shapes_are_no_matter(shape: str) -> None:
     count = 6_000

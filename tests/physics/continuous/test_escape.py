@@ -49,6 +49,7 @@ def test_no_launch_ends_outside_of_its_room(launch_count: int) -> None:
         assert world.statistics.stalled == 0, seed
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_no_launch_escapes_from_what_turns_inside_a_room(launch_count: int) -> None:
     dt = 1.0 / 60.0

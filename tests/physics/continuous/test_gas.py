@@ -45,7 +45,7 @@ def distance_from_maxwell(velocity: Floats) -> float:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("filled", [0.15, 0.35, 0.55])
+@pytest.mark.parametrize("filled", [0.15, *[pytest.param(filled, marks=pytest.mark.slow) for filled in (0.35, 0.55)]])
 def test_pressure_of_discs(filled: float) -> None:
     world, side = gas(filled)
     low, high = 0.25 * side, 0.75 * side

@@ -62,6 +62,7 @@ def test_a_ball_that_was_put_onto_a_shape_is_pushed_out(deep: float) -> None:
     assert ball.position == pytest.approx((-0.35, 0), abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_ball_that_another_pushes_onto_a_wall_stays_before_it() -> None:
     world = World(detection="continuous", gravity=(0, -10))

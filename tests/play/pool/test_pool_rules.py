@@ -138,6 +138,7 @@ def test_placed_again_the_balls_lie_still_where_they_lay() -> None:
 # -- rest ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_hardest_shots_come_to_rest_and_no_ball_is_lost() -> None:
     pool = Pool()
@@ -377,6 +378,7 @@ def test_shots_that_cannot_win_are_not_tried(monkeypatch: pytest.MonkeyPatch) ->
     assert 0.8 not in tried
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_every_position_can_be_won_at_once() -> None:
     pool = Pool()

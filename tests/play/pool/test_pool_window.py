@@ -83,6 +83,7 @@ class Player:
 # -- whole games -----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_game_is_won_lost_and_played_again(renew: bool, tmp_path: Path) -> None:
     player = Player()

@@ -307,6 +307,7 @@ main()
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="signals are sent the way of POSIX")
 @pytest.mark.parametrize(("code", "name"), [(SLOW_FILM, "run.gif"), (SLOW_FILM, "run.mp4"), (SLOW_PAGE, "run.html")])
 def test_ctrl_c_while_a_file_is_written_says_what_was_not(here: Path, code: str, name: str) -> None:

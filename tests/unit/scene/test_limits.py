@@ -245,6 +245,7 @@ ATTACKS: dict[str, tuple[str, Any]] = {
 }
 
 
+@pytest.mark.slow
 def test_hostile_files_are_refused_in_little_memory(tmp_path: Path) -> None:
     lines = fresh.printed(HOSTILE, str(tmp_path)).splitlines()
     told = {name: (int(length), int(breaks)) for name, length, breaks in (line.split("|") for line in lines)}

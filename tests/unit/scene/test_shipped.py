@@ -146,6 +146,7 @@ def test_the_pinball_table_has_all_that_a_table_has() -> None:
     assert (box.left, box.right, box.top) == pytest.approx((0.0, 20.0, 42.0))
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("down", [(), (1,), (2,), (3,), (1, 2), (1, 3), (2, 3), (1, 2, 3)])
 def test_no_ball_rests_on_the_bank_whichever_targets_are_down(down: tuple[int, ...]) -> None:

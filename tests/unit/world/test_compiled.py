@@ -97,6 +97,7 @@ def test_a_step_that_was_compiled_before_starts_at_once_and_says_nothing(tmp_pat
     assert len(done.stdout) == 33
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_cache_that_is_deleted_is_made_again(tmp_path: Path) -> None:
     one_kernel(tmp_path)
@@ -106,6 +107,7 @@ def test_a_cache_that_is_deleted_is_made_again(tmp_path: Path) -> None:
     assert kept(tmp_path) == files
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("ending", ["nbi", "nbc"])
 def test_a_damaged_cache_does_no_harm(tmp_path: Path, ending: str) -> None:
@@ -123,6 +125,7 @@ def test_a_cache_folder_that_cannot_be_made_does_no_harm(tmp_path: Path) -> None
     assert "compiled" in told
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_cache_folder_that_cannot_be_written_to_does_no_harm_and_nothing_is_kept_elsewhere(tmp_path: Path) -> None:
     one_kernel(tmp_path)

@@ -141,6 +141,7 @@ def test_types_come_back_as_they_went_in() -> None:
     assert_type(world.add(*mixed), tuple[Segment | Ball, ...])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["segment", "ball"])
 @pytest.mark.parametrize("way", ["together", "singly", "removed together"])
 def test_the_cost_of_each_does_not_grow_with_their_number(kind: str, way: str) -> None:

@@ -132,6 +132,7 @@ def test_an_exception_in_progress_leaves_whole_steps_and_loses_no_hit(call: int)
     assert world.digest() == straight.digest()
 
 
+@pytest.mark.slow
 def test_an_interrupt_anywhere_leaves_whole_steps_and_loses_no_hit(interpreted: None) -> None:
     start = crowded()
     start.run(0.5)

@@ -304,6 +304,7 @@ for detection in ("discrete", "continuous"):
 '''
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_threads_that_use_one_world_are_refused_or_served_and_nothing_is_broken() -> None:
     lines = started(HAMMER).splitlines()
