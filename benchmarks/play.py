@@ -32,9 +32,9 @@ def frames(game: Any, count: int, before: Callable[[int], None] | None = None) -
 
 def pinball(count: int) -> dict[str, tuple[float, float]]:
     """Frames of the pinball game that plays itself, in each drawing mode."""
-    from carom.play.pinball.app import PinballApp
-    from carom.play.pinball.game import Pinball
-    from carom.play.pinball.lines import Mode
+    from carom.play.pinball.rules.game import Pinball
+    from carom.play.pinball.screen.app import PinballApp
+    from carom.play.pinball.screen.lines import Mode
 
     figures = {}
     for mode in Mode:

@@ -15,7 +15,7 @@ import carom
 from benchmarks.common import Figure, show
 from benchmarks.setup import scattered
 from carom import Recording
-from carom.draw.page import replay_page
+from carom.draw.page.page import replay_page
 from tests.pages.chromium import chromium
 
 TITLE = "Replay pages: 60 s with 100 balls"

@@ -11,9 +11,9 @@ from benchmarks.common import Figure
 from benchmarks.engines import CONTINUOUS, engines
 from benchmarks.setup import Floats, Setup
 from carom import Aabb
-from carom.draw.frame import Frame
-from carom.draw.painter import Lettering, Style
-from carom.draw.svg import SvgPainter
+from carom.draw.paint.painter import Lettering, Style
+from carom.draw.paint.svg import SvgPainter
+from carom.draw.parts.frame import Frame
 
 TITLE = "Round room: one elastic ball, a true circle beside polygons; stepped and read"
 ROOM_RADIUS = 10.0

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pygame
 
-from carom.play.pinball.app import PinballApp
-from carom.play.pinball.game import Pinball
+from carom.play.pinball.screen.app import PinballApp
+from carom.play.pinball.rules.game import Pinball
 from carom.play.pool.app import PoolApp
 from carom.play.toy.app import Toy
 from carom.play.window import Game, Window

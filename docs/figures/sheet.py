@@ -11,7 +11,7 @@ import numpy as np
 
 import carom
 from carom.draw import Lettering, Style, SvgPainter, ThemeName
-from carom.draw.frame import Frame
+from carom.draw.parts.frame import Frame
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -27,7 +27,7 @@ from carom.errors import (
     UnknownName,
     WorldBusy,
 )
-from carom.rows import Motion
+from carom.rows.shape import Motion
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
 from carom.shapes.ball import Ball

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import InvalidArgument
-from carom.rows import ALL_LAYERS
+from carom.rows.ball import ALL_LAYERS
 from carom.typing import Vector
 
 #: One of a few words.

@@ -44,11 +44,26 @@ FORBIDDEN_NODES = {
     ast.With: "with",
     ast.Yield: "yield",
 }
+#: What a room of kernels may hold besides functions: the dtypes of rows, and the types of rows and of groups of floats.
+DATA_CLASSES = {"IntEnum", "NamedTuple", "Protocol", "TypedDict"}
+DATA_MODULES = {"enum", "numpy", "numpy.typing", "typing"}
 FORBIDDEN_OPERATORS = {ast.Pow: "**", ast.MatMult: "@"}
+
+
+def is_data(node: ast.stmt) -> bool:
+    """Whether a statement of a module defines what rows are, or imports what that needs; it is never compiled."""
+    if isinstance(node, ast.ClassDef):
+        return any(ast.unparse(base).partition("[")[0] in DATA_CLASSES for base in node.bases)
+    if isinstance(node, ast.Assign):
+        return ast.unparse(node.value).startswith("np.dtype(")
+    if isinstance(node, ast.Import):
+        return {alias.name for alias in node.names} <= DATA_MODULES
+    return isinstance(node, ast.ImportFrom) and node.module in DATA_MODULES
 
 
 def refusals(module: ast.Module) -> list[str]:
     """What a kernel module does that it must not, each with its line."""
+    module = ast.Module([node for node in module.body if not is_data(node)], [])
     found = [(node, text) for node in ast.walk(module) for text in _faults(node)]
     found += [
         (inner, "a nested function")
@@ -149,7 +164,7 @@ def test_every_argument_of_a_kernel_is_annotated(path: Path) -> None:
         f"{function.name}({argument.arg})"
         for function in functions(path)
         for argument in function.args.args
-        if argument.annotation is None
+        if argument.annotation is None and argument.arg != "self"
     ]
     assert bare == []
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from carom import Recording
-from carom.draw.page import replay_page
+from carom.draw.page.page import replay_page
 from tests.pages.chromium import chromium
 
 if TYPE_CHECKING:

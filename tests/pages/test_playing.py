@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from carom.draw.layers import Layer
+from carom.draw.parts.layers import Layer
 from carom.world.hits import HitKind
 from tests.pages.conftest import Replay, text_of
 from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run, sleepy_run

@@ -5,11 +5,15 @@ from collections.abc import Iterable
 import numpy as np
 
 from carom import World
-from carom.rows import ALL_LAYERS, BALL, NO_RELATION, SHAPE, Rows
-from carom.world.grid import pairs_by_grid
-from carom.world.layout import BRUTE, CELL, GRID, QUADTREE, SLOT, STATE
-from carom.world.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
-from carom.world.shape_index import FIXED, MOVING, build_index, cell_span, locate
+from carom.rows.ball import ALL_LAYERS, BALL
+from carom.rows.index import CELL, SLOT
+from carom.rows.relation import NO_RELATION
+from carom.rows.shape import SHAPE
+from carom.rows.state import BRUTE, GRID, QUADTREE, STATE
+from carom.rows.tables import Rows
+from carom.world.kernels.broad_phase.grid import pairs_by_grid
+from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
 
 Ball = tuple[float, float, float]
 Pair = tuple[int, int]

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Arc, Ball, Circle, Compound, Gate, InvalidArgument, Point, Segment, World
-from carom.shapes.pose import advance_pose, rest
+from carom.rows.pose import advance_pose, rest
 from carom.shapes.shape import Shape
 from tests.strategies import angles, numbers
 

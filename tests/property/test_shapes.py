@@ -7,7 +7,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import carom
-from carom.shapes.pose import advance_pose
+from carom.rows.pose import advance_pose
 from tests import naive
 from tests.strategies import (
     Figure,

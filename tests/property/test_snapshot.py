@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.rows import ARC, SHAPE
-from carom.world.layout import STATE
+from carom.rows.shape import ARC, SHAPE
+from carom.rows.state import STATE
 from carom.world.snapshot import HASH_SIZE, MAGIC
 from tests.sample_worlds import crowded, quiet
 

@@ -11,8 +11,8 @@ import typer
 from carom import draw
 from carom.cli import outputs, report
 from carom.cli.hits_file import write_hits, write_hits_table
-from carom.draw.movie import encoder
-from carom.draw.page import replay_page
+from carom.draw.film.movie import encoder
+from carom.draw.page.page import replay_page
 from carom.errors import CaromError
 from carom.extras import needed
 from carom.record.files import recording_bytes

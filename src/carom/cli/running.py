@@ -11,13 +11,13 @@ import numpy as np
 from carom.cli.interrupt import Interrupt
 from carom.cli.tally import Tally
 from carom.draw import Trace
-from carom.world.layout import HIT
+from carom.rows.hit import HIT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from carom.record import Recorder, Recording
-    from carom.rows import Rows
+    from carom.rows.tables import Rows
     from carom.world.world import World
 
 #: Seconds of real time that a slice should take: between these, the number of its steps stays.

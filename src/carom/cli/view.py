@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from carom.cli.mistakes import Mistake, no_such
 from carom.draw import DEFAULT_LAYERS, Layer, ThemeName
-from carom.draw.frame import LEAST_SIDE, MOST_SIDE
-from carom.draw.page_run import FIRST_LAYERS
+from carom.draw.page.run import FIRST_LAYERS
+from carom.draw.parts.frame import LEAST_SIDE, MOST_SIDE
 
 if TYPE_CHECKING:
     from typing import Self
 
-    from carom.draw.frame import Size
+    from carom.draw.parts.frame import Size
 
 ALL = "all"
 

@@ -6,19 +6,19 @@ GIF or an MP4, `replay_page` a page that plays it. `Live` draws a world that goe
 `partition_of` says how its broad phase divides the room.
 """
 
-from carom.draw.cells import Cell, Partition, partition_of
-from carom.draw.film import Film
-from carom.draw.footage import picture_at
-from carom.draw.layers import DEFAULT_LAYERS, Layer
+from carom.draw.film.film import Film
+from carom.draw.film.footage import picture_at
+from carom.draw.film.movie import write_film
+from carom.draw.history.trace import Trace
 from carom.draw.live import Live
-from carom.draw.movie import write_film
-from carom.draw.page import replay_page
-from carom.draw.painter import Lettering, Painter, Style
+from carom.draw.page.page import replay_page
+from carom.draw.paint.painter import Lettering, Painter, Style
+from carom.draw.paint.raster import RasterPainter, png
+from carom.draw.paint.svg import SvgPainter
+from carom.draw.parts.cells import Cell, Partition, partition_of
+from carom.draw.parts.layers import DEFAULT_LAYERS, Layer
 from carom.draw.picture import Picture, picture_of, svg
-from carom.draw.raster import RasterPainter, png
-from carom.draw.svg import SvgPainter
 from carom.draw.theme import ThemeName
-from carom.draw.trace import Trace
 
 __all__ = [
     "DEFAULT_LAYERS",

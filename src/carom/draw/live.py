@@ -6,25 +6,25 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from carom.checks import refuse, whole
-from carom.draw.cells import partition_of
-from carom.draw.frame import LEAST_SIDE, MOST_SIDE, Frame
-from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
-from carom.draw.looks import LOOKS, ends_of, look_now, material_of
-from carom.draw.moment import Balls, Drawn, Measures, Moment
-from carom.draw.panel import Panel
+from carom.draw.history.wake import Wake
+from carom.draw.paint.raster import RasterPainter
+from carom.draw.parts.cells import partition_of
+from carom.draw.parts.frame import LEAST_SIDE, MOST_SIDE, Frame
+from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
+from carom.draw.parts.looks import LOOKS, ends_of, look_now, material_of
+from carom.draw.parts.moment import Balls, Drawn, Measures, Moment
+from carom.draw.parts.panel import Panel
 from carom.draw.picture import Picture, weight_for
-from carom.draw.raster import RasterPainter
 from carom.draw.theme import BALL_INKS, ThemeName
-from carom.draw.wake import Wake
 from carom.record.members import names_in, parts
-from carom.rows import Motion
+from carom.rows.shape import Motion
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from carom.draw.looks import Look
-    from carom.rows import Rows
+    from carom.draw.parts.looks import Look
+    from carom.rows.tables import Rows
     from carom.shapes.aabb import Aabb
     from carom.shapes.shape import Shape
     from carom.world.world import World

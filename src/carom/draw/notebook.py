@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from carom.draw.footage import picture_at
-from carom.draw.page import replay_page
+from carom.draw.film.footage import picture_at
+from carom.draw.page.page import replay_page
 from carom.draw.picture import picture_of, svg
 from carom.record import Recording
 from carom.scene.scene import Scene

@@ -8,17 +8,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.cells import draw_cells, partition_of
-from carom.draw.frame import MARGIN, Frame
-from carom.draw.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
-from carom.draw.layers import DEFAULT_LAYERS, Layer, layers_of
-from carom.draw.legend import facts, legend, remarks
-from carom.draw.looks import LOOKS, Look, ends_of, look_of
-from carom.draw.moment import STRONG, Balls, Drawn, Measures, Moment
-from carom.draw.names import draw_moving_names, draw_shape_names
-from carom.draw.painter import Style
-from carom.draw.panel import Panel
-from carom.draw.scenery import (
+from carom.draw.history.trace import MOST_FOLLOWED
+from carom.draw.history.tracks import BANDS, thinned
+from carom.draw.paint.painter import Style
+from carom.draw.paint.svg import SvgPainter
+from carom.draw.parts.cells import draw_cells, partition_of
+from carom.draw.parts.frame import MARGIN, Frame
+from carom.draw.parts.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
+from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
+from carom.draw.parts.legend import facts, legend, remarks
+from carom.draw.parts.looks import LOOKS, Look, ends_of, look_of
+from carom.draw.parts.moment import STRONG, Balls, Drawn, Measures, Moment
+from carom.draw.parts.names import draw_moving_names, draw_shape_names
+from carom.draw.parts.panel import Panel
+from carom.draw.parts.scenery import (
     draw_ball_boxes,
     draw_balls,
     draw_boxes,
@@ -28,10 +31,7 @@ from carom.draw.scenery import (
     draw_velocities,
     open_way,
 )
-from carom.draw.svg import SvgPainter
 from carom.draw.theme import BALL_INKS, ThemeName
-from carom.draw.trace import MOST_FOLLOWED
-from carom.draw.tracks import BANDS, thinned
 from carom.record.members import names_in, parts
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
@@ -40,10 +40,10 @@ from carom.spelling import spelled
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
 
-    from carom.draw.cells import Cell
-    from carom.draw.frame import Size
-    from carom.draw.painter import Painter, Vector
-    from carom.draw.trace import Trace
+    from carom.draw.history.trace import Trace
+    from carom.draw.paint.painter import Painter, Vector
+    from carom.draw.parts.cells import Cell
+    from carom.draw.parts.frame import Size
     from carom.shapes.compound import Compound
     from carom.shapes.shape import Shape
     from carom.world.world import World

@@ -9,9 +9,9 @@ import numpy as np
 
 from carom.errors import RecordingError
 from carom.record.members import shapes_of
+from carom.rows.hit import HIT
 from carom.scene.scene import Scene
 from carom.world.hits import HitKind
-from carom.world.layout import HIT
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -23,10 +23,10 @@ from carom.checks import LONGEST_VALUE, written
 from carom.errors import CaromError, RecordingError
 from carom.limits import LARGEST_RECORDING, LONGEST_FILE, LONGEST_LISTING
 from carom.record.check import ARRAYS, COUNTED
+from carom.rows.hit import HIT
 from carom.scene.files import write_whole
 from carom.scene.scanning import check_json
 from carom.scene.scene import Scene
-from carom.world.layout import HIT
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

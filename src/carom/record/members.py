@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from carom.rows.pose import pose
 from carom.scene.guarding import guarded
 from carom.shapes.compound import Compound
-from carom.shapes.pose import pose
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from carom.record.recording import Recording
-    from carom.rows import Rows
+    from carom.rows.tables import Rows
     from carom.scene.scene import Scene
     from carom.shapes.shape import Shape
     from carom.world.world import World

@@ -9,10 +9,10 @@ import numpy as np
 from carom import checks
 from carom.record.members import names_in, parts
 from carom.record.recording import Recording
-from carom.rows import KINEMATIC
+from carom.rows.hit import HIT
+from carom.rows.shape import KINEMATIC
 from carom.scene.scene import Scene
 from carom.spelling import spelled
-from carom.world.layout import HIT
 from carom.world.world import World
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from carom.rows import Rows
+    from carom.rows.tables import Rows
 
 #: What is noted of a ball at a frame.
 BALL_FIELDS = ["id", "x", "y", "vx", "vy", "radius", "mass", "asleep"]

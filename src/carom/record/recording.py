@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from carom.rows import Rows
+    from carom.rows.tables import Rows
     from carom.scene.scene import Scene
     from carom.shapes.shape import Shape
     from carom.world.world import World

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from carom.rows import OF_WORLD
+from carom.rows.ball import OF_WORLD
 from carom.scene.descriptors import BallDescriptor
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
-from carom.rows import Motion
+from carom.rows.shape import Motion
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.shape_descriptors import (
     PART_IS_SILENT_ON,

@@ -10,7 +10,7 @@ from typing import Any, Literal, Self
 
 from pydantic import model_validator
 
-from carom.rows import ALL_LAYERS
+from carom.rows.ball import ALL_LAYERS
 from carom.scene.descriptor import Descriptor
 from carom.scene.faults import fault_below
 from carom.scene.fields import (

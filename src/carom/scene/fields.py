@@ -8,7 +8,7 @@ from pydantic import AfterValidator, BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
 from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS
-from carom.rows import ALL_LAYERS
+from carom.rows.ball import ALL_LAYERS
 from carom.scene.faults import shortened
 from carom.shapes.aabb import Aabb
 

@@ -1,6 +1,6 @@
 """What a user holds: shapes, balls, boxes and the contacts between them; each is a view of a row."""
 
-from carom.rows import ARC, CIRCLE, GATE, POINT, SEGMENT
+from carom.rows.shape import ARC, CIRCLE, GATE, POINT, SEGMENT
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.gate import Gate

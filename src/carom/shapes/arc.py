@@ -7,8 +7,9 @@ from typing import Unpack
 from carom.checks import number, pair, positive, refuse
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
-from carom.rows import ARC, Row
-from carom.shapes.pose import derive
+from carom.rows.pose import derive
+from carom.rows.shape import ARC
+from carom.rows.tables import Row
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled

@@ -12,7 +12,10 @@ from carom.geometry.aabb import circle_box
 from carom.geometry.circle import closest_on_circle
 from carom.geometry.response import exchanged, reflected, reflected_total, separated
 from carom.geometry.vector import dot
-from carom.rows import ALL_LAYERS, BALL, BALL_KIND, NO_RELATION, OF_WORLD, Motion, Row
+from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
+from carom.rows.relation import NO_RELATION
+from carom.rows.shape import BALL_KIND, Motion
+from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round

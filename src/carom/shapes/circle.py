@@ -6,7 +6,7 @@ from typing import Unpack
 
 from carom.checks import flag, pair, positive
 from carom.geometry.circle import closest_on_circle
-from carom.rows import CIRCLE
+from carom.rows.shape import CIRCLE
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled

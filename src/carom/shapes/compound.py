@@ -8,14 +8,15 @@ from typing import Any, Self
 
 from carom.checks import flag, layers, non_negative, pair, refuse, text_or_none
 from carom.geometry.vector import length
-from carom.rows import KINEMATIC, Motion, Row
+from carom.rows.pose import set_initial
+from carom.rows.shape import KINEMATIC, Motion
+from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.detection import Contact
 from carom.shapes.group import Group
 from carom.shapes.point import Point
-from carom.shapes.pose import set_initial
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
 from carom.turns import changing

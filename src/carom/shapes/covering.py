@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.constants import COVER_SAMPLE, COVER_TESTS, GUARD_ROUNDING
-from carom.rows import ARC, CIRCLE, POINT, SEGMENT, Rows
+from carom.rows.shape import ARC, CIRCLE, POINT, SEGMENT
+from carom.rows.tables import Rows
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]

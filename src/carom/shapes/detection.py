@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 from carom.checks import refuse
 from carom.geometry.overlap import overlap_ball, overlap_gate
 from carom.geometry.vector import length
-from carom.rows import BALL_KIND, GATE, Row
-from carom.shapes.contact import find_contact, may_meet
+from carom.rows.contact import find_contact, may_meet
+from carom.rows.pose import acting_spin, surface_velocity
+from carom.rows.shape import BALL_KIND, GATE
+from carom.rows.tables import Row
 from carom.shapes.member import Member
-from carom.shapes.pose import acting_spin, surface_velocity
 from carom.typing import Vector
 
 if TYPE_CHECKING:

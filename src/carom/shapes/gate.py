@@ -8,7 +8,8 @@ from typing import Unpack
 from carom.checks import pair, refuse
 from carom.constants import ROUNDING
 from carom.geometry.vector import cross, unit
-from carom.rows import GATE, Row
+from carom.rows.shape import GATE
+from carom.rows.tables import Row
 from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled

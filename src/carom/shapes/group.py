@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from carom.checks import number, pair, positive
-from carom.rows import Motion, Row
+from carom.rows.shape import Motion
+from carom.rows.tables import Row
 from carom.shapes.rails import (
     target_orientation,
     target_pivot,

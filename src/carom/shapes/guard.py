@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from carom.checks import non_negative, refuse
 from carom.constants import GUARD_ANGLE_TOLERANCE, GUARD_ROUNDING, GUARD_TOLERANCE, HALF_PI, ROUNDING, TWO_PI
 from carom.geometry.vector import length
-from carom.rows import ARC, CIRCLE, KINEMATIC, POINT, SEGMENT, SHAPE, Rows
+from carom.rows.shape import ARC, CIRCLE, KINEMATIC, POINT, SEGMENT, SHAPE
+from carom.rows.tables import Rows
 from carom.shapes.compound import Compound
 from carom.shapes.covering import Reach, covered_places
 from carom.shapes.gate import Gate

@@ -9,7 +9,8 @@ import numpy as np
 
 from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.geometry.vector import length
-from carom.rows import KIND_NAMES, Motion, Row
+from carom.rows.shape import KIND_NAMES, Motion
+from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.table import Home, Table

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 import numpy as np
 
 from carom.checks import number, pair, positive, refuse
-from carom.rows import KINEMATIC, SHAPE, Motion, Row
+from carom.rows.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
+from carom.rows.shape import KINEMATIC, SHAPE, Motion
+from carom.rows.tables import Row
 from carom.shapes.member import Member
-from carom.shapes.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
 from carom.shapes.rails import (
     halt,
     send,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Unpack
 
 from carom.checks import pair
-from carom.rows import POINT
+from carom.rows.shape import POINT
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
 from carom.typing import Pair, Vector

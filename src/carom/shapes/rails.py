@@ -7,7 +7,8 @@ from typing import Any
 
 from carom.checks import flag, number, one_of, pair, refuse
 from carom.geometry.vector import rotated
-from carom.rows import DYNAMIC, KINEMATIC, STATIC, Motion, Row
+from carom.rows.shape import DYNAMIC, KINEMATIC, STATIC, Motion
+from carom.rows.tables import Row
 from carom.typing import Vector
 
 _MOTIONS = {"static": STATIC, "kinematic": KINEMATIC}

@@ -6,7 +6,8 @@ from typing import Unpack
 
 from carom.checks import pair, refuse
 from carom.geometry.line import closest_on_segment
-from carom.rows import SEGMENT, Row
+from carom.rows.shape import SEGMENT
+from carom.rows.tables import Row
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
 import numpy as np
 
 from carom.checks import flag, layers, non_negative, pair, text_or_none
-from carom.rows import ALL_LAYERS, SHAPE, Motion, Row
+from carom.rows.ball import ALL_LAYERS
+from carom.rows.pose import derive, set_initial
+from carom.rows.shape import SHAPE, Motion
+from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_shape
 from carom.shapes.mover import Mover
-from carom.shapes.pose import derive, set_initial
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
 from carom.turns import changing
 from carom.typing import MotionName, Pair

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from carom.rows import Row, Rows
+from carom.rows.tables import Row, Rows
 from carom.turns import Turn
 
 

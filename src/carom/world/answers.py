@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
+from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR
 from carom.shapes.detection import Contact
 from carom.typing import Vector
 from carom.world.plural import Plural
@@ -23,52 +24,6 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 T = TypeVar("T")
-
-#: What a query asks, and what it sees. A box goes from x, y to to_x, to_y.
-QUERY = np.dtype(
-    [
-        ("x", "f8"),
-        ("y", "f8"),
-        ("to_x", "f8"),
-        ("to_y", "f8"),
-        ("radius", "f8"),
-        ("layer", "u4"),
-        ("collides_with", "u4"),
-        ("sensors", "i4"),
-    ]
-)
-
-#: Where a grid lies that serves queries: its corner, the width of its cells, and how many there are.
-SEARCH_GRID = np.dtype([("left", "f8"), ("bottom", "f8"), ("side", "f8"), ("columns", "i8"), ("lines", "i8")])
-
-CAST_HIT = np.dtype([("shape", "i8"), ("fraction", "f8"), ("point", "f8", (2,)), ("normal", "f8", (2,))])
-NEIGHBOR = np.dtype([("shape", "i8"), ("distance", "f8"), ("point", "f8", (2,))])
-IN_BOX = np.dtype([("box", "i8"), ("shape", "i8")])
-CONTACT = np.dtype(
-    [
-        ("shape", "i8"),
-        ("ball", "i8"),
-        ("point", "f8", (2,)),
-        ("normal", "f8", (2,)),
-        ("setback", "f8"),
-        ("speed", "f8"),
-    ]
-)
-AIM = np.dtype(
-    [
-        ("ball", "i8"),
-        ("shape", "i8"),
-        ("start", "f8", (2,)),
-        ("ghost", "f8", (2,)),
-        ("distance", "f8"),
-        ("point", "f8", (2,)),
-        ("normal", "f8", (2,)),
-        ("direction", "f8", (2,)),
-        ("speed", "f8"),
-        ("other_direction", "f8", (2,)),
-        ("other_speed", "f8"),
-    ]
-)
 
 
 @dataclass(frozen=True, slots=True)

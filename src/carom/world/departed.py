@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 from weakref import WeakValueDictionary
 
-from carom.rows import Rows
+from carom.rows.tables import Rows
 from carom.shapes.ball import Ball
 from carom.shapes.shape import Shape
 

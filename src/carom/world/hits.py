@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.extras import needed
-from carom.rows import Rows
+from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
+from carom.rows.tables import Rows
 from carom.typing import Vector
-from carom.world.layout import BOUNCE, ENTER, EXIT, HIT
 from carom.world.plural import Plural
 
 if TYPE_CHECKING:

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows import ALL_LAYERS, BALL, Motion, Rows
+from carom.rows.ball import ALL_LAYERS, BALL
+from carom.rows.shape import Motion
+from carom.rows.tables import Rows
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
@@ -20,9 +22,9 @@ from carom.turns import Turn, alone
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
+from carom.world.kernels.step.rollback import was_changed
 from carom.world.link import Link
 from carom.world.removal import remove_rows
-from carom.world.safety import was_changed
 from carom.world.search import Search
 from carom.world.tables import Room, new_balls
 from carom.world.views import Balls, Shapes, see_lent

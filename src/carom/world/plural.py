@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
-from carom.rows import Rows
+from carom.rows.tables import Rows
 from carom.world.link import Link
 
 if TYPE_CHECKING:

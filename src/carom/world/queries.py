@@ -14,30 +14,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom import checks
+from carom.compiler import kernels as compiled
 from carom.errors import InvalidArgument
-from carom.rows import ALL_LAYERS, Rows
+from carom.rows.ball import ALL_LAYERS
+from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR, QUERY
+from carom.rows.tables import Rows
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.spelling import spelled
 from carom.turns import alone
 from carom.typing import OnePair, Pairs, Vector
-from carom.world import compiled
-from carom.world.answers import (
-    AIM,
-    CAST_HIT,
-    CONTACT,
-    IN_BOX,
-    NEIGHBOR,
-    QUERY,
-    Aim,
-    Aims,
-    CastHit,
-    CastHits,
-    Contacts,
-    InBoxes,
-    Neighbor,
-    Neighbors,
-)
+from carom.world.answers import Aim, Aims, CastHit, CastHits, Contacts, InBoxes, Neighbor, Neighbors
+from carom.world.kernels.queries.aiming import aim_many
+from carom.world.kernels.queries.casting import cast_many
+from carom.world.kernels.queries.nearest import nearest_many
+from carom.world.kernels.queries.overlapping import overlapping_many, overlaps_of_balls
+from carom.world.kernels.queries.search_grid import width_of_all
 from carom.world.search import Search
 
 if TYPE_CHECKING:
@@ -208,7 +200,7 @@ class Queries:
         """The rows of what casts hit, and which items those are."""
         casts = np.zeros(len(queries), CAST_HIT)
         found = np.zeros(len(queries), "i4")
-        self._ask("casting.cast_many", len(queries), queries, casts, found)
+        self._ask(cast_many, len(queries), queries, casts, found)
         return casts, found
 
     # -- neighbours and boxes ----------------------------------------------------------------------------------------
@@ -247,7 +239,7 @@ class Queries:
         """
         queries, single = _queries(_masks(layer, collides_with, sensors), _pairs("point", point))
         rows = np.zeros(len(queries), NEIGHBOR)
-        self._ask("nearest.nearest_many", len(queries), queries, rows)
+        self._ask(nearest_many, len(queries), queries, rows)
         neighbors = Neighbors.of(self._world, rows)
         return neighbors._item(rows[0]) if single else neighbors
 
@@ -281,7 +273,7 @@ class Queries:
         boxes, single = _boxes("aabb", aabb)
         queries, _ = _queries(_masks(layer, collides_with, sensors), boxes[:, :2], boxes[:, 2:])
         rows = np.zeros(len(boxes) + 16, IN_BOX)
-        rows = self._ask_for_all("overlapping.overlapping_many", len(queries), queries, rows)
+        rows = self._ask_for_all(overlapping_many, len(queries), queries, rows)
         rows = rows[np.lexsort((rows["shape"], rows["box"]))]
         return (
             [self._world.object(int(member)) for member in rows["shape"]] if single else InBoxes.of(self._world, rows)
@@ -306,7 +298,7 @@ class Queries:
         queries, _ = _queries(_masks(layer, collides_with, sensors), (0.0, 0.0))
         count = self._world._room.balls.count
         rows = np.zeros(count + 16, CONTACT)
-        rows = self._ask_for_all("overlapping.overlaps_of_balls", count, queries, rows)
+        rows = self._ask_for_all(overlaps_of_balls, count, queries, rows)
         return Contacts.of(self._world, rows[np.lexsort((rows["shape"], rows["ball"]))])
 
     # -- a pool player's line ----------------------------------------------------------------------------------------
@@ -356,7 +348,7 @@ class Queries:
         aims = Aims.of(self._world, np.zeros(len(queries), AIM))
         room = self._world._room
         total = bool(room.states[0]["total_restitution"])
-        compiled.load("aiming.aim_many")(
+        compiled.load(aim_many)(
             queries, casts, found, places, ways, room.shapes.used, room.balls.used, total, aims.view(np.ndarray)
         )
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
@@ -380,7 +372,7 @@ class Queries:
     def _shots(self, places: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
         """The casts of balls in directions, so long that they leave everything behind."""
         room = self._world._room
-        width = compiled.load("search_grid.width_of_all")(room.shapes.used, room.balls.used)
+        width = compiled.load(width_of_all)(room.shapes.used, room.balls.used)
         balls = room.balls.used[places]
         queries = np.zeros(len(places), QUERY)
         queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
@@ -399,7 +391,7 @@ class Queries:
         """The world that is asked: this object."""
         return cast("World", self)
 
-    def _ask(self, kernel: str, count: int, queries: Rows, *answers: Rows) -> int:
+    def _ask(self, kernel: compiled.Kernel, count: int, queries: Rows, *answers: Rows) -> int:
         """What a kernel says to some queries, which look around `count` times; it writes to `answers`."""
         room = self._world._room
         if self._search is None or not self._search.is_of(room):
@@ -407,7 +399,7 @@ class Queries:
         grids, stamps = self._search.grids(count), self._search.stamps()
         return int(compiled.load(kernel)(queries, room.shapes.used, room.balls.used, *grids, stamps, *answers))
 
-    def _ask_for_all(self, kernel: str, count: int, queries: Rows, rows: Rows) -> Rows:
+    def _ask_for_all(self, kernel: compiled.Kernel, count: int, queries: Rows, rows: Rows) -> Rows:
         """The rows that a kernel finds for queries; it is asked again where it needs more of them than in `rows`."""
         wanted = self._ask(kernel, count, queries, rows)
         if wanted > len(rows):

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from carom.errors import InvalidArgument, NonFiniteState
-from carom.rows import OF_WORLD, Rows
-from carom.world.layout import NOT_FINITE, REFUSED
-from carom.world.safety import is_measured, is_sound
+from carom.rows.ball import OF_WORLD
+from carom.rows.state import NOT_FINITE, REFUSED
+from carom.rows.tables import Rows
+from carom.world.kernels.step.rollback import is_measured, is_sound
 from carom.world.tables import Room
 
 

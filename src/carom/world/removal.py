@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.rows import NO_RELATION, Row, Rows
-from carom.world.layout import EXIT, HIT_ROW, INSIDE_BALL, INSIDE_SHAPE
-from carom.world.recording import write_hit
-from carom.world.relations import add_relation
+from carom.rows.hit import EXIT, HIT_ROW
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION
+from carom.rows.tables import Row, Rows
+from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.relations import add_relation
 from carom.world.tables import Room
 
 #: A relation outside of the pool: kind, row of the ball, row of the other.

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from carom.compiler import kernels as compiled
 from carom.constants import SEARCH_CELLS_PER_ITEM, SEARCH_MARKS_PER_ITEM, SEARCH_SCANS
-from carom.rows import STATIC, Rows
-from carom.world import compiled
-from carom.world.answers import SEARCH_GRID
+from carom.rows.query import SEARCH_GRID
+from carom.rows.shape import STATIC
+from carom.rows.tables import Rows
+from carom.world.kernels.queries.search_grid import build_search_grid
 from carom.world.tables import Room
 
 #: The width of the one cell of a grid that is a plain list: beyond everything.
@@ -28,7 +30,7 @@ def grid_of(room: Room, items: Rows) -> Grid:
     grid = np.zeros(1, SEARCH_GRID)
     starts = np.zeros((3 * int(SEARCH_CELLS_PER_ITEM) + 2) * len(items) + 2, "i4")
     members = np.zeros((int(SEARCH_MARKS_PER_ITEM) + 1) * len(items), "i4")
-    compiled.load("search_grid.build_search_grid")(grid, room.shapes.used, room.balls.used, items, starts, members)
+    compiled.load(build_search_grid)(grid, room.shapes.used, room.balls.used, items, starts, members)
     return grid, starts, members
 
 

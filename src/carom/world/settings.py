@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from carom import checks
 from carom.errors import InvalidArgument
 from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS, REASONS
-from carom.rows import Row
+from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.turns import having
 from carom.typing import BroadPhase, Detection, Pair, Restitution, Vector

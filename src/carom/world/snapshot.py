@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.errors import SnapshotError
-from carom.rows import NO_RELATION
+from carom.rows.hit import HIT
+from carom.rows.relation import NO_RELATION
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.world.departed import Departed
-from carom.world.layout import HIT
 from carom.world.removal import relations_in_order, set_relations
 from carom.world.snapshot_check import DERIVED, Contents, check_contents
 

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isclose
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from carom.constants import SNAPSHOT_TOLERANCE, TWO_PI
 from carom.errors import InvalidArgument, SnapshotError
-from carom.rows import ARC, BALL, CIRCLE, GATE, KINEMATIC, NO_RELATION, POINT, SEGMENT, SHAPE, STATIC, Rows
+from carom.rows.ball import BALL
+from carom.rows.hit import EXIT, HIT
+from carom.rows.pose import derive
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING
+from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, SHAPE, STATIC, ShapeRow
+from carom.rows.state import STATE
+from carom.rows.tables import Rows
 from carom.shapes.compound import Compound
-from carom.shapes.pose import derive
-from carom.world.layout import EXIT, HIT, INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, STATE
 from carom.world.removal import Relation
 from carom.world.settings import SETTINGS, Settings
 from carom.world.statistics import COUNTERS
@@ -132,7 +136,7 @@ def _agrees(values: tuple[Any, ...]) -> bool:
     """
     row = dict(zip(SHAPE.names or (), values, strict=True))
     derived = dict(row)
-    derive(derived)
+    derive(cast(ShapeRow, derived))
     size = max(abs(row[field]) for field in ("left", "bottom", "right", "top", "radius", "length"))
     near = {name: SNAPSHOT_TOLERANCE * (1.0 if name in ("tx", "ty") else size) for name in row}
     if row["kind"] in (SEGMENT, GATE) and (row["ax"], row["ay"]) == (row["bx"], row["by"]):

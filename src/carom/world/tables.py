@@ -9,9 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows import BALL, KINEMATIC, NO_RELATION, OF_WORLD, SHAPE, Row, Rows
+from carom.rows.ball import BALL, OF_WORLD
+from carom.rows.flight import FLIGHT
+from carom.rows.hit import HIT, HIT_ROW
+from carom.rows.index import CELL, INDEX, SLOT
+from carom.rows.relation import NO_RELATION, RELATION
+from carom.rows.saved import SAVED
+from carom.rows.shape import KINEMATIC, SHAPE
+from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE
+from carom.rows.tables import Row, Rows
 from carom.shapes.table import Owner, Table
-from carom.world.layout import CELL, DISCRETE, FLIGHT, HIT, HIT_ROW, INDEX, NEEDS_ROOM, RELATION, SAVED, SLOT, STATE
 
 
 class WorldTable(Table):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.rows import BALL
+from carom.rows.ball import BALL
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball

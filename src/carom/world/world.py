@@ -10,20 +10,23 @@ from typing import Any, Self
 import numpy as np
 
 from carom import checks
+from carom.compiler import kernels as compiled
 from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
-from carom.rows import NO_RELATION, Rows
+from carom.rows.relation import NO_RELATION
+from carom.rows.state import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Pair, Restitution
-from carom.world import compiled
 from carom.world.copies import shallow, state_of, take_state
 from carom.world.hits import NO_ROWS, Hits
-from carom.world.layout import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.world.kernels.continuous.continuous import step_continuous
+from carom.world.kernels.step.discrete import step_discrete
+from carom.world.kernels.step.rollback import roll_back
 from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
-from carom.world.safety import roll_back
 from carom.world.settings import SETTINGS, Settings, Sides
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
@@ -31,7 +34,7 @@ from carom.world.tables import Room, clear_kernel_place
 from carom.world.views import note_lent, see_lent
 
 #: The kernel of each detection's step.
-STEP_KERNELS = ("discrete.step_discrete", "continuous.step_continuous")
+STEP_KERNELS = (step_discrete, step_continuous)
 
 #: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
 SLICE_SECONDS = 0.1

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from carom import Ball, Circle, Segment, World
-from carom.world.encounter import keep_push_out
+from carom.world.kernels.continuous.encounter import keep_push_out
 
 
 def world_of(*shapes: Any, **settings: Any) -> World:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment, World, guard_points
+from carom.rows.relation import LASTING
 from carom.shapes.shape import Shape
-from carom.world.layout import LASTING
 
 G = 10.0
 

@@ -7,7 +7,10 @@ import pygame
 import pytest
 
 import carom
-from carom.play.pinball import HighScores, Pinball, PinballApp, art, art_back, sounds
+from carom.play.pinball import HighScores, Pinball, PinballApp
+from carom.play.pinball.art import back as art_back
+from carom.play.pinball.art import pictures as art
+from carom.play.pinball.screen import sounds
 from carom.play.window import Window
 from tests.play import screens
 

@@ -7,8 +7,8 @@ import pytest
 
 from carom.play.controls import Button
 from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, run
-from carom.play.pinball.app import BEHIND, BUTTONS, KEYS
-from carom.play.pinball.lines import Mode
+from carom.play.pinball.screen.app import BEHIND, BUTTONS, KEYS
+from carom.play.pinball.screen.lines import Mode
 from carom.play.window import Window
 from tests.play.pinball.playing import STEP, bytes_of, key, make_once, session, tapped
 
@@ -229,7 +229,7 @@ def test_events_are_heard(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_run_plays_for_some_seconds_with_the_users_high_scores(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("carom.play.pinball.scores.default_path", lambda: tmp_path / "pinball.json")
+    monkeypatch.setattr("carom.play.pinball.rules.scores.default_path", lambda: tmp_path / "pinball.json")
     told: list[str] = []
     meter = run(tell=told.append, seconds=0.02)
     assert meter.frames >= 1

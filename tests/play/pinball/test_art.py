@@ -7,10 +7,14 @@ import pygame
 import pytest
 
 import carom
-from carom.play.pinball import art, art_back, art_parts, art_sprites, lamps
-from carom.play.pinball.art_lamps import lenses
-from carom.play.pinball.art_paint import CORAL, NIGHT, Canvas, bow, glow, mixed, star
-from carom.play.pinball.table import BALL_RADIUS
+from carom.play.pinball.art import back as art_back
+from carom.play.pinball.art import parts as art_parts
+from carom.play.pinball.art import pictures as art
+from carom.play.pinball.art import sprites as art_sprites
+from carom.play.pinball.art.lamps import lenses
+from carom.play.pinball.art.paint import CORAL, NIGHT, Canvas, bow, glow, mixed, star
+from carom.play.pinball.rules import lamps
+from carom.play.pinball.rules.table import BALL_RADIUS
 
 
 @pytest.fixture(scope="module")

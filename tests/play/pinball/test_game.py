@@ -3,10 +3,10 @@
 import pytest
 
 from carom.play.pinball import Control, EventKind, HighScores, LampState, Phase, Pinball
-from carom.play.pinball.balls import LOOK, PATIENCE
-from carom.play.pinball.game import AUTO_WAIT, BALLS, ENTRY_TIME, GUARD, OVER_TIME, PULL_TIME
-from carom.play.pinball.lamps import BANK, LANES
-from carom.play.pinball.rules import RATE, SAVER
+from carom.play.pinball.rules.balls import LOOK, PATIENCE
+from carom.play.pinball.rules.game import AUTO_WAIT, BALLS, ENTRY_TIME, GUARD, OVER_TIME, PULL_TIME
+from carom.play.pinball.rules.lamps import BANK, LANES
+from carom.play.pinball.rules.rules import RATE, SAVER
 from tests.play.pinball.desk import Desk
 
 

@@ -6,9 +6,9 @@ import pytest
 
 import carom
 from carom.play.pinball import Control, HighScores, Phase, Pinball, Player
-from carom.play.pinball.foresight import HEIGHT, Foresight, Presses, sweeps
-from carom.play.pinball.player import DECIDE, LATE
-from carom.play.pinball.table import BALL_RADIUS, STEP, Table
+from carom.play.pinball.robot.foresight import HEIGHT, Foresight, Presses, sweeps
+from carom.play.pinball.robot.player import DECIDE, LATE
+from carom.play.pinball.rules.table import BALL_RADIUS, STEP, Table
 from tests.play.pinball.self_play import play
 
 

@@ -4,11 +4,11 @@ from random import Random
 
 import pytest
 
-from carom.play.pinball import rules as worth
-from carom.play.pinball.events import Event, EventKind
-from carom.play.pinball.lamps import BANK, BUMPERS, LANES, MULTIPLIERS, NAMES, ORBITS, Lamps, LampState
-from carom.play.pinball.rules import RATE, Rules
-from carom.play.pinball.table import Part, Table
+from carom.play.pinball.rules import rules as worth
+from carom.play.pinball.rules.events import Event, EventKind
+from carom.play.pinball.rules.lamps import BANK, BUMPERS, LANES, MULTIPLIERS, NAMES, ORBITS, Lamps, LampState
+from carom.play.pinball.rules.rules import RATE, Rules
+from carom.play.pinball.rules.table import Part, Table
 
 ON, OFF, BLINK = LampState.ON, LampState.OFF, LampState.BLINK
 

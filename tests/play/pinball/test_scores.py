@@ -8,8 +8,8 @@ import pytest
 from pydantic import ValidationError
 
 from carom.play.pinball import HighScores, Score
-from carom.play.pinball.entry import Entry
-from carom.play.pinball.scores import KEPT, LETTERS, default_path
+from carom.play.pinball.rules.entry import Entry
+from carom.play.pinball.rules.scores import KEPT, LETTERS, default_path
 
 
 @pytest.fixture

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from carom.play.pinball import sounds
-from carom.play.pinball.events import Event, EventKind
+from carom.play.pinball.rules.events import Event, EventKind
+from carom.play.pinball.screen import sounds
 from carom.play.sound import RATE
 
 

@@ -5,9 +5,9 @@ from math import pi
 import pytest
 
 import carom
-from carom.play.pinball import lamps
-from carom.play.pinball.events import EventKind
-from carom.play.pinball.table import BALL_RADIUS, IDLE_SPIN, MOST_SPIN, STEP, Table
+from carom.play.pinball.rules import lamps
+from carom.play.pinball.rules.events import EventKind
+from carom.play.pinball.rules.table import BALL_RADIUS, IDLE_SPIN, MOST_SPIN, STEP, Table
 
 
 @pytest.fixture

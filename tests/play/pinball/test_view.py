@@ -4,17 +4,10 @@ import pygame
 import pytest
 
 from carom.play.letters import Letters
-from carom.play.pinball import (
-    Control,
-    Event,
-    EventKind,
-    HighScores,
-    LampState,
-    Pinball,
-    art,
-)
-from carom.play.pinball.effects import KICK, NEWS, POINTS, SHAKE, SHOW, SPARK, Effects, announced
-from carom.play.pinball.view import TableView
+from carom.play.pinball import Control, Event, EventKind, HighScores, LampState, Pinball
+from carom.play.pinball.art import pictures as art
+from carom.play.pinball.screen.effects import KICK, NEWS, POINTS, SHAKE, SHOW, SPARK, Effects, announced
+from carom.play.pinball.screen.view import TableView
 
 
 def begun() -> Pinball:

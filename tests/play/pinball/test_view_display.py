@@ -6,19 +6,12 @@ from typing import Any
 import pygame
 
 from carom.play.letters import Letters
-from carom.play.pinball import (
-    Event,
-    EventKind,
-    HighScores,
-    LampState,
-    Ledger,
-    Phase,
-    dots,
-    lamps,
-)
-from carom.play.pinball.display import Display, page_of
-from carom.play.pinball.dots import Bar, Dots, Line, Page
-from carom.play.pinball.effects import Effects
+from carom.play.pinball import Event, EventKind, HighScores, LampState, Ledger, Phase
+from carom.play.pinball.rules import lamps
+from carom.play.pinball.screen import dots
+from carom.play.pinball.screen.display import Display, page_of
+from carom.play.pinball.screen.dots import Bar, Dots, Line, Page
+from carom.play.pinball.screen.effects import Effects
 
 
 def at(surface: pygame.Surface, place: tuple[float, float]) -> int:

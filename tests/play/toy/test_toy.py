@@ -6,10 +6,10 @@ from typing import Any
 import pygame
 import pytest
 
+from carom.compiler import kernels as compiled
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
-from carom.world import compiled
 from tests.play.screens import check
 from tests.play.toy.playing import Player
 

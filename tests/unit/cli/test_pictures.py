@@ -8,7 +8,7 @@ import pytest
 import carom
 from carom import draw
 from carom.cli import main
-from carom.draw.movie import encoder
+from carom.draw.film.movie import encoder
 
 SCENE = """version = 1
 [world]

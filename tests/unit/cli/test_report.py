@@ -8,8 +8,8 @@ import carom
 from carom.cli.report import MOST_ROWS, Bar, FilmBar, counted, pace, summary
 from carom.cli.running import Outcome
 from carom.cli.tally import Tally
+from carom.rows.hit import HIT
 from carom.world.hits import HitKind
-from carom.world.layout import HIT
 
 
 def told(world: carom.World, *, steps: int = 60, asked: int = 60, hits: np.ndarray | None = None) -> str:

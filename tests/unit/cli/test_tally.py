@@ -4,8 +4,8 @@ import numpy as np
 
 import carom
 from carom.cli.tally import BALLS, Tally
+from carom.rows.hit import HIT
 from carom.world.hits import HitKind
-from carom.world.layout import HIT
 
 
 def hits_of(*rows: tuple[int, int, float, float]) -> np.ndarray:

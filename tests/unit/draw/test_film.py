@@ -10,10 +10,10 @@ import pytest
 
 import carom
 from carom import draw
-from carom.draw.film import FILM_HITS, SPAN
-from carom.draw.footage import Footage
-from carom.draw.looks import OFF
-from carom.draw.movie import EncodingError, encoder, frames_of, reason, write_film
+from carom.draw.film.film import FILM_HITS, SPAN
+from carom.draw.film.footage import Footage
+from carom.draw.film.movie import EncodingError, encoder, frames_of, reason, write_film
+from carom.draw.parts.looks import OFF
 from tests.sample_worlds import crowded
 
 pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')

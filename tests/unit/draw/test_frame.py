@@ -2,7 +2,7 @@
 
 import pytest
 
-from carom.draw.frame import FULL_WIDTH, Frame
+from carom.draw.parts.frame import FULL_WIDTH, Frame
 from carom.shapes.aabb import Aabb
 
 BOXES = {

@@ -9,10 +9,10 @@ import pytest
 import carom
 from carom import draw
 from carom.draw import Layer
-from carom.draw.cells import cells_of
-from carom.draw.frame import Frame
-from carom.draw.moment import LATEST, MOST_LATEST, strong
-from carom.draw.names import overlap, placed
+from carom.draw.parts.cells import cells_of
+from carom.draw.parts.frame import Frame
+from carom.draw.parts.moment import LATEST, MOST_LATEST, strong
+from carom.draw.parts.names import overlap, placed
 from carom.shapes.aabb import Aabb
 from tests.sample_worlds import crowded
 

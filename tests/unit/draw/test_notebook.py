@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from carom.draw import notebook
-from carom.draw.page import replay_page
+from carom.draw.page.page import replay_page
 from carom.pictured import Pictured, Played
 from tests.pages.runs import NASTY, furnished, furnished_run, nasty_run
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from carom.draw.packing import measured, packed, sizes
+from carom.draw.page.packing import measured, packed, sizes
 
 WHOLE = st.integers(-(2**40), 2**40)
 

@@ -8,13 +8,13 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
-from carom.draw.layers import Layer
-from carom.draw.page import replay_page
-from carom.draw.page_columns import MOST_HITS, kept_hits
-from carom.draw.page_run import MOST_SHARES, page_run, shares
+from carom.draw.page.columns import MOST_HITS, kept_hits
+from carom.draw.page.page import replay_page
+from carom.draw.page.run import MOST_SHARES, page_run, shares
+from carom.draw.parts.layers import Layer
 from carom.draw.theme import ThemeName
+from carom.rows.hit import HIT
 from carom.world.hits import HitKind
-from carom.world.layout import HIT
 from tests.pages.runs import NASTY, bare_runs, changing_run, furnished_run, nasty_run
 
 
@@ -129,7 +129,7 @@ def test_the_counts_are_of_names_and_end_with_all_others() -> None:
 
 
 def test_a_long_list_of_counts_is_cut_short(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.draw.page_run.MOST_SHARES", 1)
+    monkeypatch.setattr("carom.draw.page.run.MOST_SHARES", 1)
     first, rest = shares(furnished_run())
     assert rest == ("", len(furnished_run().hits) - first[1])
     assert MOST_SHARES > 1

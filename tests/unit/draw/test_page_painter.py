@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
-from carom.draw.frame import Frame
-from carom.draw.marks import arrow_mark, pivot_mark
-from carom.draw.page_painter import PagePainter, plain_style, record_into
-from carom.draw.painter import Lettering, Painter, Style
+from carom.draw.page.painter import PagePainter, plain_style, record_into
+from carom.draw.paint.painter import Lettering, Painter, Style
+from carom.draw.parts.frame import Frame
+from carom.draw.parts.marks import arrow_mark, pivot_mark
 from carom.shapes.aabb import Aabb
 
 WALL = Style("wall", width=2.0)

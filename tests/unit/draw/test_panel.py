@@ -1,8 +1,8 @@
 """The panel: its height is where its last line stands, and long words fit."""
 
-from carom.draw.frame import PANEL_WIDTH, Frame
-from carom.draw.panel import CAPTION, NAME, Panel, broken, room, shortened
-from carom.draw.svg import SvgPainter
+from carom.draw.paint.svg import SvgPainter
+from carom.draw.parts.frame import PANEL_WIDTH, Frame
+from carom.draw.parts.panel import CAPTION, NAME, Panel, broken, room, shortened
 from carom.shapes.aabb import Aabb
 
 

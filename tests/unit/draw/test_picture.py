@@ -8,9 +8,9 @@ import pytest
 
 import carom
 from carom import draw
-from carom.draw.frame import MARGIN, PANEL_WIDTH
-from carom.draw.legend import seconds
-from carom.draw.looks import BUMPER, GATE, GUARD, MOVING, OFF, POST, SENSOR, WALL, Look, look_of
+from carom.draw.parts.frame import MARGIN, PANEL_WIDTH
+from carom.draw.parts.legend import seconds
+from carom.draw.parts.looks import BUMPER, GATE, GUARD, MOVING, OFF, POST, SENSOR, WALL, Look, look_of
 from carom.draw.picture import open_way
 
 SVG = "{http://www.w3.org/2000/svg}"

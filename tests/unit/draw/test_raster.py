@@ -5,8 +5,16 @@ import pytest
 
 import carom
 from carom import draw
-from carom.draw.frame import Frame
-from carom.draw.patches import Extent, from_arc, from_circle, from_segment, line_patches, patches, polyline_patches
+from carom.draw.paint.patches import (
+    Extent,
+    from_arc,
+    from_circle,
+    from_segment,
+    line_patches,
+    patches,
+    polyline_patches,
+)
+from carom.draw.parts.frame import Frame
 from carom.draw.theme import LIGHT
 from carom.shapes.aabb import Aabb
 
@@ -184,7 +192,7 @@ def test_any_words_can_be_written(words: str) -> None:
 
 
 def test_what_is_kept_does_not_grow_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.draw.raster.MOST_KEPT", 5)
+    monkeypatch.setattr("carom.draw.paint.raster.MOST_KEPT", 5)
     made = painter()
     for number in range(40):
         made.circle((5.0, 5.0), 0.1 + 0.02 * number, BLACK)

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom.draw import Lettering, Style, SvgPainter, ThemeName
-from carom.draw.frame import Frame
-from carom.draw.svg import digits, printable
+from carom.draw.paint.svg import digits, printable
+from carom.draw.parts.frame import Frame
 from carom.draw.theme import DARK, LIGHT
 from carom.shapes.aabb import Aabb
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import carom
-from carom.draw.trace import MOST_FOLLOWED, MOST_HITS, MOST_STEPS, MOST_WAITING, Trace, centers_at, followed
+from carom.draw.history.trace import MOST_FOLLOWED, MOST_HITS, MOST_STEPS, MOST_WAITING, Trace, centers_at, followed
+from carom.rows.hit import HIT
 from carom.world.hits import HitKind
-from carom.world.layout import HIT
 
 STEP = 1 / 64
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom.draw.tracks import BANDS, Track, bands, distances_to_segment, thinned
+from carom.draw.history.tracks import BANDS, Track, bands, distances_to_segment, thinned
 
 
 def track_of(points: list[tuple[float, float]]) -> Track:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from carom import Arc, Ball, Circle, Compound, InvalidArgument, Motion, Point, Segment, Shape
-from carom.shapes.pose import advance_pose
+from carom.rows.pose import advance_pose
 
 
 def vane(**options: Any) -> Compound:

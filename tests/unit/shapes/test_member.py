@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Gate, Point, Segment, Shape
-from carom.rows import BALL, KIND_NAMES, SHAPE
+from carom.rows.ball import BALL
+from carom.rows.shape import KIND_NAMES, SHAPE
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.table import Table
 from carom.turns import Turn

@@ -5,7 +5,7 @@ from math import pi
 import pytest
 
 from carom import Arc, Circle, Gate, Point, Segment, Shape
-from carom.shapes.pose import advance_pose
+from carom.rows.pose import advance_pose
 
 
 def advance(shape: Shape, h: float, times: int = 1) -> bool:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import carom
 from carom import Ball, World
-from carom.rows import ALL_LAYERS
+from carom.rows.ball import ALL_LAYERS
 
 MODES = ("discrete", "continuous")
 masks = st.one_of(st.integers(0, ALL_LAYERS), st.sampled_from((0, 1, 2, ALL_LAYERS)))

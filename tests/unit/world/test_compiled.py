@@ -12,14 +12,16 @@ from typing import Any
 import pytest
 
 import carom
-from carom.world import compiled
+from carom.compiler import kernels as compiled
+from carom.world.kernels.broad_phase.grid import cell_of
 from tests import fresh
 from tests.sample_worlds import crowded
 
 #: Compiles one small kernel and calls it.
 ONE_KERNEL = """
-from carom.world import compiled
-print(compiled.load("grid.cell_of")(7.5, 0.5))
+from carom.compiler import kernels as compiled
+from carom.world.kernels.broad_phase.grid import cell_of
+print(compiled.load(cell_of)(7.5, 0.5))
 """
 
 #: Steps a crowded world.
@@ -176,9 +178,10 @@ def test_the_cache_is_in_the_users_folder_unless_told_otherwise(
 def test_the_hash_is_of_all_kernel_sources(monkeypatch: pytest.MonkeyPatch) -> None:
     everything = compiled.source_hash()
     assert compiled.source_hash() == everything
-    for module in compiled.KERNEL_MODULES:
-        rest = tuple(name for name in compiled.KERNEL_MODULES if name != module)
-        monkeypatch.setattr(compiled, "KERNEL_MODULES", rest)
+    modules = compiled.kernel_modules()
+    for module in modules:
+        rest = tuple(name for name in modules if name != module)
+        monkeypatch.setattr(compiled, "kernel_modules", lambda rest=rest: rest)
         assert compiled.source_hash() != everything
         monkeypatch.undo()
 
@@ -252,7 +255,7 @@ def test_once_it_is_over_or_was_interrupted_nothing_more_is_told(monkeypatch: py
 
 @pytest.mark.compiled
 def test_a_kernel_that_takes_long_says_so_in_the_meantime(tmp_path: Path) -> None:
-    code = "from carom.world import compiled; compiled.INTERVAL = 0.02\n" + ONE_KERNEL
+    code = "from carom.compiler import kernels as compiled; compiled.INTERVAL = 0.02\n" + ONE_KERNEL
     _, told = one_kernel(tmp_path, code)
     assert re.search(r"^carom: compiling cell of: \d+ of about \d+ functions, \d+ s$", told, re.MULTILINE)
 
@@ -269,10 +272,8 @@ def test_nothing_is_told_where_nothing_is_compiled(monkeypatch: pytest.MonkeyPat
 
 
 def test_every_kernel_is_loaded_once() -> None:
-    first = compiled.load("grid.cell_of")
+    first = compiled.load(cell_of)
     first(1.0, 1.0)
-    assert compiled.load("grid.cell_of") is compiled.load("grid.cell_of")
-    assert compiled.load("grid.cell_of")(7.5, 0.5) == 3
-    with pytest.raises(AttributeError):
-        compiled.load("grid.no_such_kernel")
+    assert compiled.load(cell_of) is compiled.load(cell_of)
+    assert compiled.load(cell_of)(7.5, 0.5) == 3
     assert carom.World().step(0.0).dtype.names

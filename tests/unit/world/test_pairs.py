@@ -7,10 +7,16 @@ import pytest
 
 from carom import Ball, World
 from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL
-from carom.rows import SHAPE
-from carom.world.grid import cell_of, grid_size, level_of, pairs_by_grid, wrapped_size
-from carom.world.layout import CELL, SLOT
-from carom.world.pairs import may_touch, measure_balls, pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.rows.index import CELL, SLOT
+from carom.rows.shape import SHAPE
+from carom.world.kernels.broad_phase.grid import cell_of, grid_size, level_of, pairs_by_grid, wrapped_size
+from carom.world.kernels.broad_phase.pairs import (
+    may_touch,
+    measure_balls,
+    pairs_by_brute_force,
+    pairs_by_quadtree,
+    plant_ball_tree,
+)
 from tests.physics.kernel_calls import ball_rows, found_pairs, state_row
 
 CLUSTER = [(0.1 * k, 0.0, 1.0) for k in range(9)]

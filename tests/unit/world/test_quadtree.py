@@ -7,10 +7,10 @@ import pytest
 
 from carom import World
 from carom.constants import LEAF_MEMBERS
-from carom.rows import SHAPE
-from carom.world.layout import CELL, NO_CHILD
-from carom.world.pairs import plant_ball_tree
-from carom.world.quadtree import build_tree, locate_node, plant_root
+from carom.rows.index import CELL, NO_CHILD
+from carom.rows.shape import SHAPE
+from carom.world.kernels.broad_phase.pairs import plant_ball_tree
+from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, plant_root
 from tests.physics.kernel_calls import Ball, ball_rows, state_row
 
 

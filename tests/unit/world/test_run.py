@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.world import compiled
+from carom.compiler import kernels as compiled
 from tests.sample_worlds import bits, crowded, quiet
 
 INF = float("inf")
@@ -41,7 +41,7 @@ def interrupted_at(place: int) -> Iterator[list[int]]:
     calls = [0]
 
     def watch(frame: FrameType, event: str, argument: Any) -> None:
-        if event == "call" and frame.f_globals.get("__name__") in compiled.KERNEL_MODULES:
+        if event == "call" and frame.f_globals.get("__name__") in compiled.kernel_modules():
             calls[0] += 1
             if calls[0] == place:
                 sys.setprofile(None)

@@ -6,7 +6,14 @@ import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment, World
 from carom.shapes.shape import Shape
-from carom.world.shape_index import FIXED, MOVING, cell_side, distance_to_shape, locate, rest_of_cell
+from carom.world.kernels.broad_phase.shape_index import (
+    FIXED,
+    MOVING,
+    cell_side,
+    distance_to_shape,
+    locate,
+    rest_of_cell,
+)
 from tests.physics.kernel_calls import found_shapes, prepare_index
 
 

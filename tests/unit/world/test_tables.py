@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.rows import BALL, SHAPE
+from carom.rows.ball import BALL
+from carom.rows.shape import SHAPE
 from carom.world.tables import Room, WorldTable, grown
 
 

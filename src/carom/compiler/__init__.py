@@ -1,0 +1,1 @@
+"""Compiling the kernels: the one place that knows Numba."""

@@ -1,0 +1,1 @@
+"""Recordings as moving pixels, and as files."""

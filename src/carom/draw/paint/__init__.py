@@ -1,0 +1,1 @@
+"""Painters: of SVG files and of pixels."""

@@ -1,0 +1,1 @@
+"""What a picture is made of, decided once for every painter."""

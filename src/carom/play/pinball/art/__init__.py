@@ -1,0 +1,1 @@
+"""All that is painted of the pinball table."""

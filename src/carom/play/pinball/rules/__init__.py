@@ -1,0 +1,1 @@
+"""The game: its table, its balls, its rules and its scores."""

@@ -1,0 +1,212 @@
+"""The Pinball Game as an application: keys and controller, pause, help, drawing modes, sound."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+
+import pygame
+
+from carom.play.controls import Button, Controls
+from carom.play.letters import Letters
+from carom.play.meter import FrameMeter
+from carom.play.pinball.art import back as art_back
+from carom.play.pinball.art import pictures as art
+from carom.play.pinball.art.paint import CREAM, GOLD, NIGHT
+from carom.play.pinball.rules.controls import Control, Phase
+from carom.play.pinball.rules.game import Pinball
+from carom.play.pinball.rules.scores import HighScores
+from carom.play.pinball.screen import sounds
+from carom.play.pinball.screen.display import Display
+from carom.play.pinball.screen.help import draw_help
+from carom.play.pinball.screen.lines import Lines, Mode
+from carom.play.pinball.screen.view import TableView
+from carom.play.sound import Speaker
+from carom.play.window import RATE, Ticker, play
+
+
+class Command(Enum):
+    """What a key does besides playing."""
+
+    HELP = "help"
+    RATE = "rate"
+    MODE = "mode"
+    PAUSE = "pause"
+    MUTE = "mute"
+    LEAVE = "leave"
+
+
+Action = Control | Command
+
+KEYS: dict[int, Action] = {
+    pygame.K_LSHIFT: Control.LEFT,
+    pygame.K_z: Control.LEFT,
+    pygame.K_LEFT: Control.LEFT,
+    pygame.K_RSHIFT: Control.RIGHT,
+    pygame.K_SLASH: Control.RIGHT,
+    pygame.K_RIGHT: Control.RIGHT,
+    pygame.K_SPACE: Control.PLUNGER,
+    pygame.K_DOWN: Control.PLUNGER,
+    pygame.K_RETURN: Control.START,
+    pygame.K_1: Control.START,
+    pygame.K_a: Control.NUDGE_LEFT,
+    pygame.K_d: Control.NUDGE_RIGHT,
+    pygame.K_w: Control.NUDGE_UP,
+    pygame.K_UP: Control.NUDGE_UP,
+    pygame.K_F1: Command.HELP,
+    pygame.K_F2: Command.RATE,
+    pygame.K_F3: Command.MODE,
+    pygame.K_p: Command.PAUSE,
+    pygame.K_m: Command.MUTE,
+    pygame.K_ESCAPE: Command.LEAVE,
+}
+BUTTONS: dict[Button, Action] = {
+    Button.LEFT_SHOULDER: Control.LEFT,
+    Button.RIGHT_SHOULDER: Control.RIGHT,
+    Button.SOUTH: Control.PLUNGER,
+    Button.START: Control.START,
+    Button.BACK: Command.PAUSE,
+    Button.LEFT: Control.NUDGE_LEFT,
+    Button.RIGHT: Control.NUDGE_RIGHT,
+    Button.UP: Control.NUDGE_UP,
+}
+#: The colour round a table that is nudged.
+BEHIND = (14, 9, 28)
+
+
+class PinballApp:
+    """The pinball game in a window.
+
+    Args:
+        tell: Told in one line what is missing: a sound card, a place for high scores.
+        game: The game; by default a new one, with the user's high scores.
+        seed: Of the new game's chance.
+    """
+
+    title = "Carom Comet"
+    size = (art.SIZE[0] + art_back.SIZE[0], art.SIZE[1])
+
+    def __init__(self, tell: Callable[[str], None], game: Pinball | None = None, seed: int = 0) -> None:
+        self.running = True
+        self.game = Pinball(HighScores.load(tell=tell), seed) if game is None else game
+        self.mode = Mode.ART
+        self.paused = self.helping = self.rating = False
+        self._away = False
+        self.speaker = Speaker(sounds.make(), tell)
+        self.meter = FrameMeter(RATE)
+        self._controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
+        self._ticker = Ticker(Pinball.STEP)
+        self._letters = Letters()
+        self._table = pygame.Surface(art.SIZE, 0, 32)
+        self.view = TableView(self.game, self._letters)
+        self._display = Display(self._letters)
+        self._lines = Lines(self.game)
+
+    # -- what comes in -----------------------------------------------------------------------------------------------
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Nothing; takes one event: a press acts on the next step of the game."""
+        if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
+            self._away = event.type == pygame.WINDOWFOCUSLOST
+        for action, down in self._controls.read(event):
+            if isinstance(action, Control):
+                self._press(action, down)
+            elif down:
+                self._obey(action)
+
+    def _press(self, control: Control, down: bool) -> None:
+        """Nothing; passes a press to the game; what is let go is let go in a pause too."""
+        if down and (self.paused or self.helping):
+            return
+        waiting = self.game.phase in (Phase.ATTRACT, Phase.OVER)
+        self.game.press(Control.START if waiting and down and control is Control.PLUNGER else control, down)
+
+    def _obey(self, command: Command) -> None:
+        """Nothing; does what a key says that does not play."""
+        if command is Command.HELP:
+            self.helping = not self.helping
+        elif command is Command.RATE:
+            self.rating = not self.rating
+        elif command is Command.MODE:
+            self.mode = self.mode.following
+        elif command is Command.PAUSE:
+            self.paused = not self.paused
+        elif command is Command.MUTE:
+            self.speaker.muted = not self.speaker.muted
+            self.speaker.stop()
+        else:
+            self._leave()
+
+    def _leave(self) -> None:
+        """Nothing; closes the help, or pauses a game, or ends: nobody loses a game to one press."""
+        if self.helping:
+            self.helping = False
+        elif self.paused or self.game.phase in (Phase.ATTRACT, Phase.OVER):
+            self.running = False
+        else:
+            self.paused = True
+
+    # -- time --------------------------------------------------------------------------------------------------------
+
+    def advance(self, seconds: float) -> None:
+        """Nothing; makes the steps of the game that are due, with their sounds."""
+        if self._away and self.game.phase is not Phase.ATTRACT:
+            self.paused = True
+        if self.paused or self.helping:
+            return
+        for _ in range(self._ticker.due(seconds)):
+            self.game.tick()
+        events = self.game.take_events()
+        self.view.effects.advance(seconds)
+        self.view.effects.note(events)
+        sounds.play(self.speaker, events, self.game.phase is Phase.ATTRACT)
+
+    # -- the picture -------------------------------------------------------------------------------------------------
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Nothing; draws the table, its back, and what lies over them."""
+        if self.mode is Mode.LINES:
+            self._lines.draw(self._table)
+        else:
+            self.view.draw(self._table)
+        if self.mode is Mode.BOTH:
+            self._lines.draw_over(self._table)
+        effects = self.view.effects
+        self._display.draw(surface, art.SIZE[0], self.game, effects)
+        shift = effects.shift
+        if shift != (0, 0):
+            surface.fill(BEHIND, (0, 0, *art.SIZE))
+        surface.blit(self._table, shift, (0, 0, art.SIZE[0] - max(0, shift[0]), art.SIZE[1]))
+        if self.rating:
+            self._draw_rate(surface)
+        if self.helping:
+            draw_help(surface, self._letters)
+        elif self.paused:
+            self._plate(surface, "PAUSE", (art.SIZE[0] // 2, 392), 34)
+            self._plate(surface, "P goes on, Esc ends", (art.SIZE[0] // 2, 448), 15)
+
+    def _draw_rate(self, surface: pygame.Surface) -> None:
+        """Nothing; draws frames a second and the work of each."""
+        meter = self.meter
+        words = f"{meter.rate:.0f} frames/s   {1e3 * meter.work:.1f} ms   {100 * meter.share:.0f} %   {self.mode.value}"
+        self._plate(surface, words, (art.SIZE[0] // 2, 6), 13)
+
+    def _plate(self, surface: pygame.Surface, words: str, place: tuple[int, int], size: int) -> None:
+        """Nothing; writes words on a dark plate, their upper edge's middle at a place."""
+        width = self._letters.width(words, size)
+        plate = pygame.Rect(place[0] - width // 2 - 12, place[1], width + 24, size + 14)
+        pygame.draw.rect(surface, NIGHT, plate, border_radius=6)
+        pygame.draw.rect(surface, GOLD, plate, 2, border_radius=6)
+        self._letters.draw(surface, words, (place[0], place[1] + 6), size, CREAM, anchor="middle")
+
+
+def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
+    """The times of all frames of a session: played until it is left, or for some seconds."""
+
+    def ready() -> PinballApp:
+        """The game after its first step, the first of which on a machine compiles: before the window opens."""
+        app = PinballApp(tell)
+        app.game.tick()
+        return app
+
+    return play(ready, seconds)

@@ -1,0 +1,56 @@
+"""The help over the game: keys and rules in words."""
+
+from __future__ import annotations
+
+import pygame
+
+from carom.play.letters import Letters
+from carom.play.pinball.art.paint import CORAL, CREAM, GOLD, NIGHT, TEAL, mixed
+
+KEYS = (
+    ("Left Shift, Z, Left", "left flipper; moves the lit lanes to the left"),
+    ("Right Shift, /, Right", "right flipper; moves the lit lanes to the right"),
+    ("Space, Down", "hold to draw the plunger, let go to shoot; starts a game"),
+    ("Return, 1", "starts a game"),
+    ("A, D, W or Up", "nudge the table: to the left, to the right, upward"),
+    ("F1", "this help"),
+    ("F2", "frame rate and the time that a frame takes"),
+    ("F3", "art, art and exact lines, lines alone"),
+    ("F11", "full screen"),
+    ("P", "pause"),
+    ("M", "sound on and off"),
+    ("Esc", "pauses a game; once more ends it"),
+    ("Controller", "shoulders: flippers, A: plunger, Start, cross: nudge"),
+)
+RULES = (
+    "Three balls. A ball that drains within the first seconds comes back.",
+    "The blinking lane of S-K-Y is the skill shot. All three multiply the bonus, up to 5 times,",
+    "and bring an extra ball on the way. Flippers move the lit lanes.",
+    "Drop targets 1-2-3: each bank pays more than the one before, every second one starts multiball.",
+    "In multiball orbits and banks are jackpots. Inlanes light the orbits.",
+    "Bumpers light when struck; all three lit raise what they pay.",
+    "The bonus is paid as the ball drains. Nudge too hard and the table tilts: the bonus is lost.",
+)
+MARGIN, LINE = 36, 25
+
+
+def draw_help(surface: pygame.Surface, letters: Letters) -> None:
+    """Nothing; draws the help over the darkened game."""
+    width, height = surface.get_size()
+    veil = pygame.Surface((width, height), pygame.SRCALPHA)
+    veil.fill((*mixed(NIGHT, (0, 0, 0), 0.4), 228))
+    surface.blit(veil, (0, 0))
+    frame = pygame.Rect(MARGIN // 2, 96, width - MARGIN, height - 208)
+    for grown, colour, wide in ((0, mixed(GOLD, NIGHT, 0.5), 5), (-2, GOLD, 2)):
+        pygame.draw.rect(surface, colour, frame.inflate(grown, grown), wide, border_radius=10)
+    y = 124
+    letters.draw(surface, "CAROM COMET", (width / 2, y), 30, CORAL, anchor="middle")
+    y += 58
+    for keys, meaning in KEYS:
+        letters.draw(surface, keys, (MARGIN + 196, y), 16, GOLD, anchor="end")
+        letters.draw(surface, meaning, (MARGIN + 216, y), 16, CREAM)
+        y += LINE
+    y += 24
+    for rule in RULES:
+        letters.draw(surface, rule, (width / 2, y), 15, TEAL if rule.startswith("Three") else CREAM, anchor="middle")
+        y += LINE

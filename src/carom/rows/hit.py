@@ -1,0 +1,59 @@
+"""The row of a hit."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+import numpy as np
+
+# What a hit is (`HitKind` names them for users).
+BOUNCE = 0
+ENTER = 1
+EXIT = 2
+
+HIT = np.dtype(
+    [
+        ("time", "f8"),
+        ("kind", "i8"),
+        ("ball", "i8"),
+        ("shape", "i8"),
+        ("point", "f8", (2,)),
+        ("normal", "f8", (2,)),
+        ("setback", "f8"),
+        ("speed", "f8"),
+        ("impulse", "f8"),
+    ]
+)
+
+#: A hit as the kernels write it: the same bytes, each number a field of its own.
+HIT_ROW = np.dtype(
+    [
+        ("time", "f8"),
+        ("kind", "i8"),
+        ("ball", "i8"),
+        ("shape", "i8"),
+        ("point_x", "f8"),
+        ("point_y", "f8"),
+        ("normal_x", "f8"),
+        ("normal_y", "f8"),
+        ("setback", "f8"),
+        ("speed", "f8"),
+        ("impulse", "f8"),
+    ]
+)
+
+
+class HitRow(TypedDict):
+    """A row of `HIT_ROW`."""
+
+    time: float
+    kind: int
+    ball: int
+    shape: int
+    point_x: float
+    point_y: float
+    normal_x: float
+    normal_y: float
+    setback: float
+    speed: float
+    impulse: float

@@ -1,0 +1,260 @@
+"""Where a shape's row stands: its derived fields, its turns about a pivot, and one substep of its motion.
+
+These functions read and write one row of dtype `carom.rows.SHAPE`, in place. Numba compiles them as they stand; in the
+interpreter the numbers are made Python floats when read, so that both give the same bits and neither warns.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from carom.constants import STOP_MARGIN
+from carom.geometry.aabb import arc_box, circle_box, segment_box
+from carom.geometry.angle import normalize_angle
+from carom.geometry.arc import arc_ends
+from carom.geometry.vector import length, rotated, unit
+from carom.rows.shape import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, SEGMENT, STATIC, ShapeRow
+
+
+def derive(shape: ShapeRow) -> None:
+    """Nothing; makes the fields that follow from the current geometry agree with it: ends, tangent, middle, box.
+
+    The current geometry is `cx, cy` of a point or circle, `ax, ay, bx, by` of a segment or gate in either order, and
+    `cx, cy, radius, start_angle, end_angle` (normalized) of an arc. A segment whose ends rounding has made one keeps
+    the tangent that it had. Source: docs/shapes-and-responses.md.
+    """
+    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+        _derive_segment(shape)
+    elif shape["kind"] == ARC:
+        _derive_arc(shape)
+    elif shape["kind"] == CIRCLE:
+        left, bottom, right, top = circle_box(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]))
+        _set_box(shape, left, bottom, right, top)
+    else:
+        x, y = float(shape["cx"]), float(shape["cy"])
+        _set_box(shape, x, y, x, y)
+
+
+def _set_box(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> None:
+    """Nothing; stores the four sides of the box."""
+    shape["left"] = left
+    shape["bottom"] = bottom
+    shape["right"] = right
+    shape["top"] = top
+
+
+def _derive_segment(shape: ShapeRow) -> None:
+    """Nothing; orders the ends (smaller x first, then smaller y) and derives middle, tangent, length and box."""
+    ax, ay = float(shape["ax"]), float(shape["ay"])
+    bx, by = float(shape["bx"]), float(shape["by"])
+    if bx < ax or (bx == ax and by < ay):
+        ax, ay, bx, by = bx, by, ax, ay
+        shape["ax"] = ax
+        shape["ay"] = ay
+        shape["bx"] = bx
+        shape["by"] = by
+    # Halves are added, not a sum halved: the sum of two large coordinates may overflow.
+    shape["cx"] = 0.5 * ax + 0.5 * bx
+    shape["cy"] = 0.5 * ay + 0.5 * by
+    shape["length"] = length(bx - ax, by - ay)
+    tangent = unit(bx - ax, by - ay)
+    if tangent is not None:
+        tx, ty = tangent
+        shape["tx"] = tx
+        shape["ty"] = ty
+    left, bottom, right, top = segment_box(ax, ay, bx, by)
+    _set_box(shape, left, bottom, right, top)
+
+
+def _derive_arc(shape: ShapeRow) -> None:
+    """Nothing; derives the ends and the box of an arc from its centre, radius and angles."""
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    start, end = float(shape["start_angle"]), float(shape["end_angle"])
+    ax, ay, bx, by = arc_ends(cx, cy, radius, start, end)
+    shape["ax"] = ax
+    shape["ay"] = ay
+    shape["bx"] = bx
+    shape["by"] = by
+    left, bottom, right, top = arc_box(cx, cy, radius, ax, ay, bx, by)
+    _set_box(shape, left, bottom, right, top)
+
+
+def set_initial(shape: ShapeRow) -> None:
+    """Nothing; makes the current geometry and pivot the initial ones, with orientation 0 and no motion behind it."""
+    shape["initial_cx"] = shape["cx"]
+    shape["initial_cy"] = shape["cy"]
+    shape["initial_ax"] = shape["ax"]
+    shape["initial_ay"] = shape["ay"]
+    shape["initial_bx"] = shape["bx"]
+    shape["initial_by"] = shape["by"]
+    shape["initial_dx"] = shape["dx"]
+    shape["initial_dy"] = shape["dy"]
+    shape["initial_start_angle"] = shape["start_angle"]
+    shape["initial_end_angle"] = shape["end_angle"]
+    shape["initial_pivot_x"] = shape["pivot_x"]
+    shape["initial_pivot_y"] = shape["pivot_y"]
+    shape["hinge_x"] = shape["pivot_x"]
+    shape["hinge_y"] = shape["pivot_y"]
+    shape["orientation"] = 0.0
+    set_before(shape)
+    shape["spin"] = 0.0
+
+
+def set_before(shape: ShapeRow) -> None:
+    """Nothing; remembers orientation and pivot as those that a substep begins with."""
+    shape["orientation_before"] = shape["orientation"]
+    shape["pivot_before_x"] = shape["pivot_x"]
+    shape["pivot_before_y"] = shape["pivot_y"]
+
+
+def pose(shape: ShapeRow) -> None:
+    """Nothing; puts the shape where orientation and pivot say: pivot + R(orientation)·(initial - hinge).
+
+    Always from the initial geometry, so turns accumulate no drift. At orientation 0 the shape is its initial geometry
+    moved by the way from hinge to pivot, which is that geometry bit for bit where the pivot is at the hinge. An
+    orientation that has overflowed, whose sine nobody knows, makes the box infinite, by which a world sees it.
+    """
+    turn = float(shape["orientation"])
+    if turn - turn != 0.0:
+        _set_box(shape, turn, turn, turn, turn)
+        return
+    if turn == 0.0:
+        _shift(shape)
+    else:
+        _turn(shape, cos(turn), sin(turn))
+    if shape["kind"] == ARC:
+        shape["start_angle"] = normalize_angle(float(shape["initial_start_angle"]) + turn)
+        shape["end_angle"] = normalize_angle(float(shape["initial_end_angle"]) + turn)
+    derive(shape)
+
+
+def _shift(shape: ShapeRow) -> None:
+    """Move the initial geometry as far as the pivot has moved from the hinge."""
+    x = float(shape["pivot_x"]) - float(shape["hinge_x"])
+    y = float(shape["pivot_y"]) - float(shape["hinge_y"])
+    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+        shape["ax"] = float(shape["initial_ax"]) + x
+        shape["ay"] = float(shape["initial_ay"]) + y
+        shape["bx"] = float(shape["initial_bx"]) + x
+        shape["by"] = float(shape["initial_by"]) + y
+        shape["dx"] = shape["initial_dx"]
+        shape["dy"] = shape["initial_dy"]
+    else:
+        shape["cx"] = float(shape["initial_cx"]) + x
+        shape["cy"] = float(shape["initial_cy"]) + y
+
+
+def _turn(shape: ShapeRow, c: float, s: float) -> None:
+    """Nothing; the initial geometry turned by the angle of cosine c and sine s, then moved with the pivot."""
+    from_x, from_y = float(shape["hinge_x"]), float(shape["hinge_y"])
+    to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
+    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+        x, y = rotated(float(shape["initial_ax"]) - from_x, float(shape["initial_ay"]) - from_y, c, s)
+        shape["ax"] = to_x + x
+        shape["ay"] = to_y + y
+        x, y = rotated(float(shape["initial_bx"]) - from_x, float(shape["initial_by"]) - from_y, c, s)
+        shape["bx"] = to_x + x
+        shape["by"] = to_y + y
+        if shape["kind"] == GATE:
+            x, y = rotated(float(shape["initial_dx"]), float(shape["initial_dy"]), c, s)
+            shape["dx"] = x
+            shape["dy"] = y
+    else:
+        x, y = rotated(float(shape["initial_cx"]) - from_x, float(shape["initial_cy"]) - from_y, c, s)
+        shape["cx"] = to_x + x
+        shape["cy"] = to_y + y
+
+
+def acting_spin(shape: ShapeRow) -> float:
+    """The angular velocity that acts now, in rad/s: 0 unless kinematic and rotating, 0 when pressed against a stop."""
+    if shape["motion"] != KINEMATIC or not shape["rotating"]:
+        return 0.0
+    spin = float(shape["angular_velocity"])
+    if shape["turn_limited"]:
+        orientation = float(shape["orientation"])
+        if spin > 0.0 and orientation >= shape["turn_high"]:
+            return 0.0
+        if spin < 0.0 and orientation <= shape["turn_low"]:
+            return 0.0
+    return spin
+
+
+def advance_pose(shape: ShapeRow, h: float) -> bool:
+    """Whether the shape moved in one substep of h seconds; moves it.
+
+    Stores what the substep began with (orientation_before, pivot_before) and the spin that acted in it. A stop is met
+    exactly, and then angular_velocity is 0, while spin stays what it was on the way. So is the place where `move_to`
+    sends it; its velocity stays what it was until `rest` takes it away. A shape that neither turns nor travels is left
+    as it is, bit for bit.
+    """
+    set_before(shape)
+    spin = acting_spin(shape)
+    shape["spin"] = spin
+    if shape["motion"] != KINEMATIC:
+        return False
+    left = float(shape["time_left"])
+    if left > 0.0:
+        if left <= h * STOP_MARGIN:
+            _arrive(shape)
+            return True
+        shape["time_left"] = left - h
+    if shape["rotating"]:
+        _advance_orientation(shape, spin, h)
+    x, y = float(shape["velocity_x"]), float(shape["velocity_y"])
+    if spin == 0.0 and x == 0.0 and y == 0.0:
+        return False
+    shape["pivot_x"] = float(shape["pivot_x"]) + x * h
+    shape["pivot_y"] = float(shape["pivot_y"]) + y * h
+    pose(shape)
+    return True
+
+
+def _advance_orientation(shape: ShapeRow, spin: float, h: float) -> None:
+    """Nothing; turns by spin·h, up to a stop, where angular_velocity becomes 0."""
+    if spin == 0.0:
+        shape["angular_velocity"] = 0.0
+        return
+    orientation = float(shape["orientation"]) + spin * h
+    if shape["turn_limited"]:
+        low, high = float(shape["turn_low"]), float(shape["turn_high"])
+        if spin > 0.0 and orientation >= high:
+            orientation = high
+            shape["angular_velocity"] = 0.0
+        elif spin < 0.0 and orientation <= low:
+            orientation = low
+            shape["angular_velocity"] = 0.0
+    shape["orientation"] = orientation
+
+
+def _arrive(shape: ShapeRow) -> None:
+    """Put a shape where `move_to` sent it, to the bit."""
+    shape["pivot_x"] = shape["target_pivot_x"]
+    shape["pivot_y"] = shape["target_pivot_y"]
+    shape["orientation"] = shape["target_orientation"]
+    shape["angular_velocity"] = 0.0
+    shape["time_left"] = ARRIVED
+    pose(shape)
+    shape["cx"] = shape["target_x"]
+    shape["cy"] = shape["target_y"]
+    if shape["kind"] != SEGMENT and shape["kind"] != GATE:
+        derive(shape)
+
+
+def rest(shape: ShapeRow) -> None:
+    """Let a shape rest that has come where `move_to` sent it."""
+    if shape["time_left"] < 0.0:
+        shape["velocity_x"] = 0.0
+        shape["velocity_y"] = 0.0
+        shape["time_left"] = 0.0
+
+
+def surface_velocity(shape: ShapeRow, spin: float, px: float, py: float) -> tuple[float, float]:
+    """The velocity (x, y) of the shape's surface at (px, py): velocity + spin·perp(p - pivot); (0, 0) if static.
+
+    `spin` is the angular velocity to reckon with: the row's `spin` in a world, `acting_spin(shape)` outside one.
+    """
+    if shape["motion"] == STATIC:
+        return 0.0, 0.0
+    x = float(shape["velocity_x"]) - spin * (py - float(shape["pivot_y"]))
+    y = float(shape["velocity_y"]) + spin * (px - float(shape["pivot_x"]))
+    return x, y

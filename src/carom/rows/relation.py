@@ -1,0 +1,26 @@
+"""The rows of relations: states of a ball and another row that outlive a substep."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+import numpy as np
+
+NO_RELATION = -1
+
+# What a relation is: a state of a ball and another row that outlives a substep.
+PASSING = 0  # the ball passes a segment, arc or gate, whichever way it leaves
+INSIDE_SHAPE = 1  # the ball and a shape overlap, and one of them is a sensor
+INSIDE_BALL = 2  # the same for two balls
+LASTING = 3  # the ball rests on a shape, rolls on it or slides along it (continuous)
+
+RELATION = np.dtype([("kind", "i4"), ("ball", "i4"), ("other", "i4"), ("next", "i4")])
+
+
+class RelationRow(TypedDict):
+    """A row of `RELATION`."""
+
+    kind: int
+    ball: int
+    other: int
+    next: int

@@ -1,0 +1,1 @@
+"""Which balls and shapes are near each other."""

@@ -1,0 +1,264 @@
+"""Pairs of balls whose boxes overlap, by a hierarchical grid: levels of cells, each half as wide as the last."""
+
+from __future__ import annotations
+
+from math import fabs, floor
+
+from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_PER_BALL
+from carom.rows.ball import BallRow
+from carom.rows.index import SlotRow
+from carom.rows.state import StateRow
+from carom.rows.tables import Pairs, Table
+from carom.world.kernels.broad_phase.pairs import may_touch, measure_balls, put_pair
+
+
+def cell_of(offset: float, inverse_side: float) -> int:
+    """The number of the column (or line) that a coordinate's `offset` from the grid's corner lies in.
+
+    Far outside it is clamped; clamping keeps the order, so neighbours stay neighbours. NaN, which a step that overflows
+    may come by before it is rolled back, counts as far below.
+    """
+    cell = offset * inverse_side
+    if not cell > -CELL_CLAMP:
+        return floor(-CELL_CLAMP)
+    return floor(CELL_CLAMP if cell > CELL_CLAMP else cell)
+
+
+def level_of(diameter: float, side: float) -> int:
+    """The finest level whose cells are at least a ball's diameter (times `CELL_SIDE`) wide: each halves the last's."""
+    level = 0
+    width = 0.5 * side
+    while level < FINEST_LEVEL and diameter * CELL_SIDE <= width:
+        width = 0.5 * width
+        level += 1
+    return level
+
+
+def inverse_side_of(side: float, level: int) -> float:
+    """One over the width of the cells of a level."""
+    return float(1 << level) / side
+
+
+def grid_size(width: float, height: float, side: float, count: int) -> tuple[int, int, int]:
+    """How cells are numbered: how many numbers there are, the step from one line to the next, and a mask for numbers.
+
+    As long as the balls' box has no more cells than there is room for, the grid is dense, and the mask changes nothing.
+    In a larger box the numbers wrap around, so cells that lie far apart share one, which costs tests and changes
+    nothing else: the nine cells around a ball always have nine numbers.
+    """
+    columns = (width / side if width / side < CELL_CLAMP else CELL_CLAMP) + 3.0
+    lines = (height / side if height / side < CELL_CLAMP else CELL_CLAMP) + 4.0
+    most = 64.0 + GRID_CELLS_PER_BALL * count
+    if columns * lines <= most:
+        return int(columns) * int(lines), int(columns), -1
+    size, stride, mask = wrapped_size(count)
+    return size, int(min(columns, float(stride))), mask
+
+
+def wrapped_size(count: int) -> tuple[int, int, int]:
+    """The same for numbers that always wrap around; steps of the golden section spread the lines evenly."""
+    size = 64
+    while 2 * size <= 64.0 + GRID_CELLS_PER_BALL * count:
+        size *= 2
+    return size, int(GOLDEN_SECTION * size) | 1, size - 1
+
+
+def pairs_by_grid(
+    state: StateRow, balls: Table[BallRow], slots: Table[SlotRow], starts: Table[int], pairs: Pairs, margin: float
+) -> int:
+    """The number of pairs found by sorting the balls into cells, or -1 if there is no room.
+
+    Every ball's radius counts as greater by `margin`: 0, or the way it may go before the pairs are out of date.
+
+    Every ball lies in the one cell of its level that holds its centre, so partners of the same level are in the same
+    cell or in one of the eight around it, four of which are enough. Partners of a coarser level are in one of the nine
+    cells there. Cells are sorted by counting; `slots` then holds the balls in the order of their cells.
+    """
+    left, bottom, right, top, smallest, largest = measure_balls(state, balls)
+    side = 2.0 * (largest + margin) * CELL_SIDE
+    layered = level_of(2.0 * (smallest + margin), side) > 0
+    if layered:
+        size, stride, mask = wrapped_size(state["balls"])
+    else:
+        size, stride, mask = grid_size(right - left, top - bottom, side, state["balls"])
+    if size + 1 > len(starts):
+        state["wanted_starts"] = size + 1
+        return -1
+    levels = sort_balls(state, balls, slots, starts, margin, left, bottom, side, layered, size, stride, mask)
+    if layered:
+        return pairs_of_levels(state, slots, starts, pairs, left, bottom, side, stride, mask, levels)
+    return pairs_of_cells(state, slots, starts, pairs, size, stride, mask)
+
+
+def pairs_of_cells(
+    state: StateRow, slots: Table[SlotRow], starts: Table[int], pairs: Pairs, size: int, stride: int, mask: int
+) -> int:
+    """The number of pairs of sorted balls that are all on one level, or -1 if `pairs` ran out of room.
+
+    Every candidate is written, and counted only if it is a pair: a branch that no processor can foresee costs more.
+    """
+    count = 0
+    tests = 0
+    room = len(pairs)
+    for k in range(state["balls"]):
+        slot = slots[k]
+        ball = slot["ball"]
+        x = slot["x"]
+        y = slot["y"]
+        radius = slot["radius"]
+        cell = int(slot["cell"])
+        if cell + stride + 2 > size:
+            count = scan_around(state, slots, starts, pairs, count, k, 0.0, 0, stride, mask)
+            if count < 0:
+                return -1
+            continue
+        begin = k + 1
+        end = int(starts[cell + 2])
+        for _ in range(2):
+            tests += end - begin
+            if count + end - begin > room:
+                state["wanted_pairs"] = 2 * room + end - begin
+                return -1
+            for other in range(begin, end):
+                partner = slots[other]
+                reach = radius + partner["radius"]
+                pairs[count, 0] = ball
+                pairs[count, 1] = partner["ball"]
+                count += int((fabs(partner["x"] - x) <= reach) & (fabs(partner["y"] - y) <= reach))
+            begin = int(starts[cell + stride - 1])
+            end = int(starts[cell + stride + 2])
+    state["box_tests"] += tests
+    return count
+
+
+def cell_number(x: float, y: float, inverse_side: float, level: int, stride: int, mask: int) -> int:
+    """The number of the cell at offset `x`, `y` from the grid's corner."""
+    return (cell_of(x, inverse_side) + stride * cell_of(y, inverse_side) + 1 + level) & mask
+
+
+def sort_balls(
+    state: StateRow,
+    balls: Table[BallRow],
+    slots: Table[SlotRow],
+    starts: Table[int],
+    margin: float,
+    left: float,
+    bottom: float,
+    side: float,
+    layered: bool,
+    size: int,
+    stride: int,
+    mask: int,
+) -> int:
+    """Sort the balls by cell into `slots`; returns the set of levels that hold balls, a bit each."""
+    levels = 0
+    for k in range(size + 1):
+        starts[k] = 0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
+        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
+        levels |= 1 << level
+        starts[cell_number(x, y, inverse_side_of(side, level), level, stride, mask)] += 1
+    total = 0
+    for k in range(size + 1):
+        total += starts[k]
+        starts[k] = total
+    # Filling each cell from its end, last ball first, leaves `starts` at the cells' beginnings and keeps the order.
+    for i in range(state["balls"] - 1, -1, -1):
+        ball = balls[i]
+        x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
+        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
+        cell = cell_number(x, y, inverse_side_of(side, level), level, stride, mask)
+        k = starts[cell] - 1
+        starts[cell] = k
+        slot = slots[k]
+        slot["x"] = ball["x"]
+        slot["y"] = ball["y"]
+        slot["radius"] = float(ball["radius"]) + margin
+        slot["ball"] = i
+        slot["cell"] = cell
+    return levels
+
+
+def pairs_of_levels(
+    state: StateRow,
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
+    left: float,
+    bottom: float,
+    side: float,
+    stride: int,
+    mask: int,
+    levels: int,
+) -> int:
+    """The number of pairs of sorted balls on several levels, `levels` having a bit for each; -1: no room."""
+    count = 0
+    for k in range(state["balls"]):
+        slot = slots[k]
+        own = level_of(2.0 * float(slot["radius"]), side)
+        count = scan_around(state, slots, starts, pairs, count, k, side, own, stride, mask)
+        for level in range(own):
+            if (levels >> level) & 1 and count >= 0:
+                x, y = float(slot["x"]) - left, float(slot["y"]) - bottom
+                centre = cell_number(x, y, inverse_side_of(side, level), level, stride, mask)
+                for step in range(9):
+                    cell = (centre + step % 3 - 1 + stride * (step // 3 - 1)) & mask
+                    begin, end = int(starts[cell]), int(starts[cell + 1])
+                    count = scan(state, slots, pairs, count, k, side, level, begin, end)
+        if count < 0:
+            return -1
+    return count
+
+
+def scan_around(
+    state: StateRow,
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
+    count: int,
+    k: int,
+    side: float,
+    level: int,
+    stride: int,
+    mask: int,
+) -> int:
+    """The number of pairs after the partners of slot `k`'s ball on its own level: in its cell and the next four."""
+    cell = int(slots[k]["cell"])
+    count = scan(state, slots, pairs, count, k, side, level, k + 1, int(starts[cell + 1]))
+    for step in range(4):
+        other = (cell + (1 if step == 0 else stride + step - 2)) & mask
+        count = scan(state, slots, pairs, count, k, side, level, int(starts[other]), int(starts[other + 1]))
+    return count
+
+
+def scan(
+    state: StateRow,
+    slots: Table[SlotRow],
+    pairs: Pairs,
+    count: int,
+    k: int,
+    side: float,
+    level: int,
+    begin: int,
+    end: int,
+) -> int:
+    """The number of pairs after the partners of slot `k`'s ball that are on a level, among the slots `begin` to `end`.
+
+    Numbers of cells wrap around, so the slots may hold balls of other levels, whose pairs are found elsewhere; `side`
+    is 0 where there is one level alone. -1 if `pairs` ran out of room, and if `count` is -1.
+    """
+    if count < 0:
+        return -1
+    own = slots[k]
+    x, y, radius = float(own["x"]), float(own["y"]), float(own["radius"])
+    for other in range(begin, end):
+        slot = slots[other]
+        near = may_touch(slot["x"] - x, slot["y"] - y, radius + slot["radius"])
+        if near and (side == 0.0 or level_of(2.0 * float(slot["radius"]), side) == level):
+            count = put_pair(state, pairs, count, own["ball"], slot["ball"])
+            if count < 0:
+                return -1
+    state["box_tests"] += max(end - begin, 0)
+    return count

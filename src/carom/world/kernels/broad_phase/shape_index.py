@@ -1,0 +1,244 @@
+"""Which shapes a ball may meet: an index from the place of its centre to a short list of shapes.
+
+The index of the static shapes is made when they change, that of the kinematic ones whenever they have moved. Lists hold
+shapes in the order in which a ball meets them: points, segments and gates, circles, arcs.
+"""
+
+from __future__ import annotations
+
+from math import fabs, floor, inf, sqrt
+
+from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
+from carom.geometry.arc import in_sector
+from carom.geometry.line import distance_to_segment
+from carom.geometry.vector import length
+from carom.rows.ball import BallRow
+from carom.rows.index import NO_CHILD, CellRow, IndexRow
+from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
+from carom.rows.state import BRUTE, GRID, QUADTREE, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, plant_root
+
+FIXED = 0
+MOVING = 1
+
+
+def distance_to_shape(shape: ShapeRow, x: float, y: float) -> float:
+    """The distance from (x, y) to the nearest place of the shape, its ends included; 0 inside a solid circle."""
+    kind = shape["kind"]
+    if kind == POINT:
+        return length(x - float(shape["cx"]), y - float(shape["cy"]))
+    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+    if kind == CIRCLE or kind == ARC:
+        cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+        outside = length(x - cx, y - cy) - radius
+        if kind == CIRCLE:
+            return max(outside, 0.0) if shape["solid"] != 0 else abs(outside)
+        if in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy):
+            return abs(outside)
+        return min(length(x - ax, y - ay), length(x - bx, y - by))
+    return distance_to_segment(ax, ay, bx, by, x, y)
+
+
+def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
+    """The cell whose members are all the shapes that a ball at (x, y) may overlap, or -1 where there are none."""
+    first = int(entry["cells_begin"])
+    if entry["cells_end"] == first:
+        return -1
+    if state["broad_phase"] == BRUTE:
+        return first
+    if state["broad_phase"] == GRID:
+        columns, lines = int(entry["columns"]), int(entry["lines"])
+        across = (x - float(entry["left"])) / float(entry["side"])
+        along = (y - float(entry["bottom"])) / float(entry["side"])
+        if 0.0 <= across < columns and 0.0 <= along < lines:
+            return first + floor(along) * columns + floor(across)
+        return -1
+    return locate_node(cells, first, x, y)
+
+
+def cell_span(cells: Table[CellRow], cell: int) -> tuple[int, int]:
+    """Where the members of a cell begin and end; (0, 0) for the cell -1, which has none."""
+    if cell < 0:
+        return 0, 0
+    return int(cells[cell]["begin"]), int(cells[cell]["end"])
+
+
+def rest_of_cell(
+    shapes: Table[ShapeRow], cells: Table[CellRow], members: Table[int], cell: int, row: int
+) -> tuple[int, int]:
+    """Where the members of a cell begin and end that a ball meets after the shape in `row`, which may be elsewhere."""
+    begin, end = cell_span(cells, cell)
+    kind = shapes[row]["kind"]
+    while begin < end:
+        other = members[begin]
+        if shapes[other]["kind"] > kind or (shapes[other]["kind"] == kind and other > row):
+            break
+        begin += 1
+    return begin, end
+
+
+def build_index(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    which: int,
+    reach: float,
+    cells: Table[CellRow],
+    members: Table[int],
+) -> bool:
+    """True if the index of the static (or kinematic) shapes was made for balls of radius up to `reach`.
+
+    False where room ran out; `state["wanted_*"]` says how much. The kinematic index stands behind the static one.
+    """
+    entry = index[which]
+    begin = 0 if which == FIXED else int(state["fixed"])
+    end = int(state["fixed"]) if which == FIXED else int(state["shapes"])
+    entry["reach"] = reach
+    entry["cells_begin"] = 0 if which == FIXED else index[FIXED]["cells_end"]
+    entry["members_begin"] = 0 if which == FIXED else index[FIXED]["members_end"]
+    entry["cells_end"] = entry["cells_begin"]
+    entry["members_end"] = entry["members_begin"]
+    entry["longest"] = 0
+    if begin == end:
+        return True
+    left, bottom, right, top = index_box(shapes, order, begin, end, reach)
+    side = cell_side(right - left, top - bottom, end - begin, reach)
+    vast = side == inf
+    entry["left"] = 0.0 if vast else left
+    entry["bottom"] = 0.0 if vast else bottom
+    entry["side"] = side
+    entry["columns"] = 1
+    entry["lines"] = 1
+    if state["broad_phase"] == GRID and not vast:
+        built = build_grid(state, shapes, order, entry, begin, end, right - left, top - bottom, cells, members)
+    else:
+        width, height = right - left, top - bottom
+        built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, cells, members)
+    for cell in range(entry["cells_begin"], entry["cells_end"]):
+        if cells[cell]["child"] == NO_CHILD:
+            entry["longest"] = max(entry["longest"], cells[cell]["end"] - cells[cell]["begin"])
+    return built
+
+
+def build_nodes(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    entry: IndexRow,
+    begin: int,
+    end: int,
+    width: float,
+    height: float,
+    cells: Table[CellRow],
+    members: Table[int],
+) -> bool:
+    """True if the shapes `order[begin:end]` were put into a quadtree, or into one cell.
+
+    That is for brute force, and for a world that spans all numbers, which cannot be divided.
+    """
+    left, bottom, reach = float(entry["left"]), float(entry["bottom"]), float(entry["reach"])
+    root = int(entry["cells_begin"])
+    free = int(entry["members_begin"]) + end - begin
+    if root + 1 > len(cells) or free > len(members):
+        state["wanted_cells"] = root + 1
+        state["wanted_members"] = free
+        return False
+    plant_root(cells[root], left + 0.5 * width, bottom + 0.5 * height, free - (end - begin), free)
+    for k in range(begin, end):
+        members[free - end + k] = order[k]
+    last = root + 1
+    if state["broad_phase"] == QUADTREE and float(entry["side"]) < inf:
+        last = build_tree(state, balls, shapes, False, reach, cells, members, root, width, height)
+    entry["cells_end"] = max(last, root)
+    entry["members_end"] = free if last <= root + 1 else cells[last - 1]["end"]
+    return last > 0
+
+
+def index_box(
+    shapes: Table[ShapeRow], order: Table[int], begin: int, end: int, reach: float
+) -> tuple[float, float, float, float]:
+    """The box of the shapes `order[begin:end]`, larger by `reach` on all sides."""
+    first = shapes[order[begin]]
+    left, bottom = float(first["left"]), float(first["bottom"])
+    right, top = float(first["right"]), float(first["top"])
+    for k in range(begin + 1, end):
+        shape = shapes[order[k]]
+        left = min(left, float(shape["left"]))
+        bottom = min(bottom, float(shape["bottom"]))
+        right = max(right, float(shape["right"]))
+        top = max(top, float(shape["top"]))
+    return left - reach, bottom - reach, right + reach, top + reach
+
+
+def cell_side(width: float, height: float, count: int, reach: float) -> float:
+    """The width of a grid's cells: about so many cells as suits the number of shapes, none smaller than a ball."""
+    most = min(INDEX_CELLS_PER_SHAPE * count, INDEX_CELLS_MOST)
+    side = max(sqrt(width / most) * sqrt(height), max(width, height) / most, 2.0 * reach)
+    return side if side > 0.0 else 1.0
+
+
+def build_grid(
+    state: StateRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    entry: IndexRow,
+    begin: int,
+    end: int,
+    width: float,
+    height: float,
+    cells: Table[CellRow],
+    members: Table[int],
+) -> bool:
+    """True if the shapes `order[begin:end]` were put into every cell that they come within `entry["reach"]` of."""
+    side = float(entry["side"])
+    entry["columns"] = int(width / side) + 1
+    entry["lines"] = int(height / side) + 1
+    first = int(entry["cells_begin"])
+    last = first + int(entry["columns"] * entry["lines"])
+    if last > len(cells):
+        state["wanted_cells"] = last
+        return False
+    for cell in range(first, last):
+        cells[cell]["child"] = NO_CHILD
+        cells[cell]["end"] = 0
+    for k in range(begin, end):
+        mark_cells(shapes[order[k]], order[k], entry, cells, members, False)
+    total = int(entry["members_begin"])
+    for cell in range(first, last):
+        held = int(cells[cell]["end"])
+        cells[cell]["begin"] = total
+        cells[cell]["end"] = total
+        total += held
+    if total > len(members):
+        state["wanted_members"] = total
+        return False
+    for k in range(begin, end):
+        mark_cells(shapes[order[k]], order[k], entry, cells, members, True)
+    entry["cells_end"] = last
+    entry["members_end"] = total
+    return True
+
+
+def mark_cells(
+    shape: ShapeRow, row: int, entry: IndexRow, cells: Table[CellRow], members: Table[int], write: bool
+) -> None:
+    """Count a shape in every cell that it comes within reach of, and write it there too if `write`."""
+    side = float(entry["side"])
+    reach = float(entry["reach"])
+    left, bottom = float(entry["left"]), float(entry["bottom"])
+    near = (reach + side * sqrt(0.5)) * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
+    first_column = max(int((float(shape["left"]) - reach - left) / side) - 1, 0)
+    last_column = min(int((float(shape["right"]) + reach - left) / side) + 1, int(entry["columns"]) - 1)
+    first_line = max(int((float(shape["bottom"]) - reach - bottom) / side) - 1, 0)
+    last_line = min(int((float(shape["top"]) + reach - bottom) / side) + 1, int(entry["lines"]) - 1)
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            if distance_to_shape(shape, left + (column + 0.5) * side, bottom + (line + 0.5) * side) <= near:
+                cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
+                if write:
+                    members[cell["end"]] = row
+                cell["end"] += 1

@@ -1,0 +1,1 @@
+"""The continuous step: times of impact, dealt with in their order."""

@@ -1,0 +1,1 @@
+"""What a world is asked: rays, neighbours, boxes, overlaps, aim."""

@@ -1,0 +1,239 @@
+"""What lies in a box, and what overlaps what, found by looking through the cells of a grid that a box comes into."""
+
+from __future__ import annotations
+
+from carom.geometry.aabb import box_contains, boxes_overlap
+from carom.geometry.boxes import box_meets_arc, box_meets_circle, box_meets_segment
+from carom.geometry.overlap import overlap_ball, overlap_gate
+from carom.geometry.vector import length
+from carom.rows.ball import BallRow
+from carom.rows.contact import find_contact, may_meet
+from carom.rows.pose import acting_spin, surface_velocity
+from carom.rows.query import ContactRow, InBoxRow, QueryRow, SearchGridRow
+from carom.rows.shape import ARC, CIRCLE, GATE, POINT, ShapeRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.pairs import may_touch
+from carom.world.kernels.queries.casting import is_seen
+from carom.world.kernels.queries.search_grid import cells_around, is_box, item_box, slack_at
+
+
+def overlapping_many(
+    queries: Table[QueryRow],
+    shapes: Table[ShapeRow],
+    balls: Table[BallRow],
+    still: Table[SearchGridRow],
+    still_starts: Table[int],
+    still_members: Table[int],
+    lively: Table[SearchGridRow],
+    lively_starts: Table[int],
+    lively_members: Table[int],
+    stamps: Table[int],
+    inside: Table[InBoxRow],
+) -> int:
+    """How many items there are in the boxes of all queries; `inside` gets as many of them as it has room for.
+
+    A query's box goes from x, y to to_x, to_y. Grids and stamps are as `cast_many` takes them.
+    """
+    count = 0
+    for k in range(len(queries)):
+        query = queries[k]
+        count = search_box(query, shapes, balls, still[0], still_starts, still_members, stamps, k, inside, count)
+        count = search_box(query, shapes, balls, lively[0], lively_starts, lively_members, stamps, k, inside, count)
+    return count
+
+
+def search_box(
+    query: QueryRow,
+    shapes: Table[ShapeRow],
+    balls: Table[BallRow],
+    grid: SearchGridRow,
+    starts: Table[int],
+    members: Table[int],
+    stamps: Table[int],
+    k: int,
+    inside: Table[InBoxRow],
+    count: int,
+) -> int:
+    """The count of items found so far after those of one grid that are in the box of query `k`."""
+    left, bottom, right, top = float(query["x"]), float(query["y"]), float(query["to_x"]), float(query["to_y"])
+    slack = slack_at(grid, left, bottom) + slack_at(grid, right, top)
+    first_column, last_column, first_line, last_line = cells_around(grid, left, bottom, right, top, slack)
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            cell = line * int(grid["columns"]) + column
+            for place in range(starts[cell], starts[cell + 1]):
+                item = int(members[place])
+                mark = item if item >= 0 else len(shapes) - 1 - item
+                if stamps[mark] != k + 1:
+                    stamps[mark] = k + 1
+                    member_id = id_in_box(query, shapes, balls, item, left, bottom, right, top)
+                    if member_id != 0:
+                        if count < len(inside):
+                            inside[count]["box"] = k
+                            inside[count]["shape"] = member_id
+                        count += 1
+    return count
+
+
+def id_in_box(
+    query: QueryRow,
+    shapes: Table[ShapeRow],
+    balls: Table[BallRow],
+    item: int,
+    left: float,
+    bottom: float,
+    right: float,
+    top: float,
+) -> int:
+    """The id of an item that a query sees and that has a point in common with a box, else 0."""
+    if item < 0:
+        ball = balls[-1 - item]
+        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+        if is_seen(ball, query) and box_meets_circle(left, bottom, right, top, x, y, radius, 1):
+            return int(ball["id"])
+        return 0
+    shape = shapes[item]
+    if is_seen(shape, query) and box_meets_shape(shape, left, bottom, right, top):
+        return int(shape["id"])
+    return 0
+
+
+def box_meets_shape(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> bool:
+    """True if a shape that is no ball has a point in common with a box."""
+    kind = shape["kind"]
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    if kind == POINT:
+        return box_contains(left, bottom, right, top, cx, cy)
+    if kind == CIRCLE:
+        return box_meets_circle(left, bottom, right, top, cx, cy, radius, int(shape["solid"]))
+    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+    if kind == ARC:
+        return box_meets_arc(left, bottom, right, top, cx, cy, radius, ax, ay, bx, by)
+    return box_meets_segment(left, bottom, right, top, ax, ay, bx, by)
+
+
+def overlaps_of_balls(
+    queries: Table[QueryRow],
+    shapes: Table[ShapeRow],
+    balls: Table[BallRow],
+    still: Table[SearchGridRow],
+    still_starts: Table[int],
+    still_members: Table[int],
+    lively: Table[SearchGridRow],
+    lively_starts: Table[int],
+    lively_members: Table[int],
+    stamps: Table[int],
+    contacts: Table[ContactRow],
+) -> int:
+    """How many overlaps of balls with shapes and balls there are; `contacts` gets as many as it has room for.
+
+    The one query says which ones to see. Grids and stamps are as `cast_many` takes them.
+    """
+    query = queries[0]
+    count = 0
+    for i in range(len(balls)):
+        left, bottom, right, top = item_box(shapes, balls, -1 - i)
+        if is_seen(balls[i], query) and is_box(left, bottom, right, top):
+            count = touch_all(query, shapes, balls, still[0], still_starts, still_members, stamps, i, contacts, count)
+            count = touch_all(
+                query, shapes, balls, lively[0], lively_starts, lively_members, stamps, i, contacts, count
+            )
+    return count
+
+
+def touch_all(
+    query: QueryRow,
+    shapes: Table[ShapeRow],
+    balls: Table[BallRow],
+    grid: SearchGridRow,
+    starts: Table[int],
+    members: Table[int],
+    stamps: Table[int],
+    i: int,
+    contacts: Table[ContactRow],
+    count: int,
+) -> int:
+    """The count of overlaps found so far after those of ball `i` with the items of one grid, later balls left out."""
+    x, y, radius = float(balls[i]["x"]), float(balls[i]["y"]), float(balls[i]["radius"])
+    slack = radius + slack_at(grid, x, y)
+    first_column, last_column, first_line, last_line = cells_around(grid, x, y, x, y, slack)
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            cell = line * int(grid["columns"]) + column
+            for place in range(starts[cell], starts[cell + 1]):
+                item = int(members[place])
+                mark = item if item >= 0 else len(shapes) - 1 - item
+                if stamps[mark] != i + 1 and -1 - item < i:
+                    stamps[mark] = i + 1
+                    if item < 0:
+                        count = touch_ball(query, balls, -1 - item, i, contacts, count)
+                    else:
+                        count = touch_shape(query, shapes[item], balls[i], contacts, count)
+    return count
+
+
+def touch_ball(query: QueryRow, balls: Table[BallRow], i: int, j: int, contacts: Table[ContactRow], count: int) -> int:
+    """The count of overlaps after that of ball `i` with ball `j`, which was added later, if there is one."""
+    first, second = balls[i], balls[j]
+    x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
+    x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
+    if not (may_touch(x2 - x1, y2 - y1, r1 + r2) and is_seen(first, query) and may_meet(first, second)):
+        return count
+    wx, wy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
+    overlap = overlap_ball(x1, y1, r1, x2, y2, r2, wx, wy)
+    if overlap is None:
+        return count
+    px, py, nx, ny, setback = overlap
+    first_id, second_id = int(first["id"]), int(second["id"])
+    return write_contact(contacts, count, first_id, second_id, px, py, nx, ny, setback, length(wx, wy))
+
+
+def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table[ContactRow], count: int) -> int:
+    """The count of overlaps after that of a ball with a shape, if there is one; a gate's closed side alone counts."""
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    left, bottom, right, top = float(shape["left"]), float(shape["bottom"]), float(shape["right"]), float(shape["top"])
+    if not boxes_overlap(left, bottom, right, top, x - radius, y - radius, x + radius, y + radius):
+        return count
+    if not (is_seen(shape, query) and may_meet(shape, ball)):
+        return count
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    spin = acting_spin(shape)
+    ux, uy = surface_velocity(shape, spin, x, y)
+    if shape["kind"] == GATE:
+        ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
+        extent, dx, dy = float(shape["length"]), float(shape["dx"]), float(shape["dy"])
+        overlap = overlap_gate(ax, ay, tx, ty, extent, dx, dy, x, y, radius, vx - ux, vy - uy)
+    else:
+        overlap = find_contact(shape, x, y, radius, vx - ux, vy - uy)
+    if overlap is None:
+        return count
+    px, py, nx, ny, setback = overlap
+    ux, uy = surface_velocity(shape, spin, px, py)
+    speed = length(vx - ux, vy - uy)
+    return write_contact(contacts, count, int(shape["id"]), int(ball["id"]), px, py, nx, ny, setback, speed)
+
+
+def write_contact(
+    contacts: Table[ContactRow],
+    count: int,
+    shape_id: int,
+    ball_id: int,
+    px: float,
+    py: float,
+    nx: float,
+    ny: float,
+    setback: float,
+    speed: float,
+) -> int:
+    """The count of contacts after one more, which is written where there is room for it."""
+    if count < len(contacts):
+        contact = contacts[count]
+        contact["shape"] = shape_id
+        contact["ball"] = ball_id
+        contact["point"][0] = px
+        contact["point"][1] = py
+        contact["normal"][0] = nx
+        contact["normal"][1] = ny
+        contact["setback"] = setback
+        contact["speed"] = speed
+    return count + 1

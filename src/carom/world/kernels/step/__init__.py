@@ -1,0 +1,1 @@
+"""The discrete step, and what both modes share."""

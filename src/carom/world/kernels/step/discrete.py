@@ -1,0 +1,384 @@
+"""A step in the discrete mode: overlaps are found after moving.
+
+Each stage can stop where room runs out, and go on from there when there is more.
+"""
+
+from __future__ import annotations
+
+from carom.constants import NEW_CELLS
+from carom.geometry.vector import length
+from carom.rows.ball import BallRow
+from carom.rows.hit import HitRow
+from carom.rows.index import CellRow, IndexRow, SlotRow
+from carom.rows.pose import rest as let_rest
+from carom.rows.relation import RelationRow
+from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import (
+    BEGIN,
+    BRUTE,
+    DISCRETE,
+    DONE,
+    END,
+    FIND_PAIRS,
+    FINISH,
+    GRID,
+    MOVE,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    NOT_FINITE,
+    PAIRS,
+    SHAPES,
+    StateRow,
+)
+from carom.rows.tables import Pairs, Table
+from carom.world.kernels.broad_phase.grid import pairs_by_grid
+from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
+from carom.world.kernels.continuous.surfaces import is_moving
+from carom.world.kernels.step.ending import finish_substep, sweep_relations
+from carom.world.kernels.step.motion import move_ball, move_shapes
+from carom.world.kernels.step.narrow import (
+    balls_overlap,
+    boxes_apart,
+    keep_side,
+    may_collide,
+    meet_ball,
+    meet_sensing_ball,
+    meet_shape,
+)
+from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, shapes_are_sound
+from carom.world.kernels.step.seams import overlap_beside_walls
+
+
+def step_discrete(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on from where it is.
+
+    `states` holds the world's state and the copy that a failed step is rolled back to. Called again after NEEDS_ROOM or
+    NEEDS_PAIRS with more of what `state["wanted_*"]` names, the outcome is the same as if there had been room.
+    """
+    state = states[0]
+    while state["steps_left"] > 0:
+        stage = state["stage"]
+        if stage == BEGIN:
+            status = begin_step(states, balls, shapes, order, saved, relations)
+        elif stage == MOVE:
+            status = begin_substep(states, balls, shapes, order, index, cells, members, saved, relations)
+        elif stage == SHAPES:
+            status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+        elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
+            enter_stage(state, FINISH)
+            status = DONE
+        elif stage == FIND_PAIRS:
+            status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
+        elif stage == PAIRS:
+            status = meet_all_pairs(
+                state, balls, shapes, index, cells, members, pairs, saved, hits, relations
+            )  # fmt: skip
+        elif stage == FINISH:
+            status = finish(state, balls, shapes, order, hits, relations)
+        else:
+            status = end_step(states, balls, shapes, order, saved, relations)
+        if status != DONE:
+            return status
+    return DONE
+
+
+def substep_length(state: StateRow) -> float:
+    """The length of a substep in seconds."""
+    return float(state["dt"]) / float(state["substeps"])
+
+
+def hit_time(state: StateRow) -> float:
+    """The time of hits between balls that overlap: the end of the substep, or its beginning in the continuous mode."""
+    if state["detection"] == DISCRETE:
+        return substep_end(state)
+    return float(state["time"]) + float(state["substep"]) * substep_length(state)
+
+
+def substep_end(state: StateRow) -> float:
+    """The world's time at the end of the substep."""
+    if state["substep"] + 1 == state["substeps"]:
+        return float(state["time"]) + float(state["dt"])
+    return float(state["time"]) + float(state["substep"] + 1) * substep_length(state)
+
+
+def rest_speed(state: StateRow) -> float:
+    """The speed of approach below which an inelastic contact comes to rest."""
+    speed = float(state["rest_speed"])
+    if speed >= 0.0:
+        return speed
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    return 2.0 * length(gx, gy) * substep_length(state)
+
+
+def begin_substep(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when the kinematic shapes have moved and the index of shapes is right again.
+
+    NEEDS_PAIRS where that has no room, NOT_FINITE if a shape went out of the range of numbers and the step was undone.
+    """
+    state = states[0]
+    if state["stage_entered"] == 0:
+        if move_shapes(state, balls, shapes, order, substep_length(state)):
+            state["moving_stale"] = 1
+        state["stage_entered"] = 1
+        if not shapes_are_sound(state, shapes, order):
+            roll_back(states, balls, shapes, order, saved, relations)
+            return NOT_FINITE
+    if not rebuild_index(state, balls, shapes, order, index, cells, members):
+        return NEEDS_PAIRS
+    state["iteration"] = 0
+    state["found"] = 0
+    enter_stage(state, SHAPES)
+    return DONE
+
+
+def rebuild_index(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+) -> bool:
+    """True when the index of the shapes is right again; False where it has no room."""
+    if state["index_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+            return False
+        state["index_stale"] = 0
+        state["moving_stale"] = 1
+    if state["moving_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+            return False
+        state["moving_stale"] = 0
+    return True
+
+
+def enter_stage(state: StateRow, stage: int) -> None:
+    """Go on with a stage from its beginning."""
+    state["stage"] = stage
+    state["cursor"] = 0
+    state["stage_entered"] = 0
+
+
+def meet_all_shapes(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out.
+
+    After the last iteration come the shapes at rest alone, the static ones at the end.
+    """
+    first = state["iteration"] == 0 and state["detection"] == DISCRETE
+    settling = state["iteration"] == state["iterations"]
+    kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
+    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
+    most = most_meetings(state, index)
+    for i in range(state["cursor"], state["balls"]):
+        ball = balls[i]
+        if ball["asleep"] != 0 or not (first or saved[i]["touched"] & SHAPES_DUE):
+            continue
+        if lacks_room(state, len(hits), len(relations), i, most):
+            return NEEDS_ROOM
+        from_x, from_y = float(ball["x"]), float(ball["y"])
+        if first:
+            move_ball(ball, duration, gravity_x, gravity_y)
+        saved[i]["touched"] &= kept
+        to_x, to_y = float(ball["x"]), float(ball["y"])
+        for turn in range(2):
+            entry = index[1 - turn if settling else turn]
+            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+            k, end = cell_span(cells, cell)
+            state["box_tests"] += end - k
+            left = NEW_CELLS
+            while k < end:
+                row = int(members[k])
+                k += 1
+                shape = shapes[row]
+                if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
+                    continue
+                contact = overlap_beside_walls(
+                    state, ball, shape, shapes, index, cells, members, relations, first, from_x, from_y, to_x, to_y
+                )
+                if contact is None:
+                    continue
+                px, py, nx, ny, setback = contact
+                pushed = meet_shape(
+                    state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
+                    hit_time(state), rest_speed(state), first, from_x, from_y, to_x, to_y, px, py, nx, ny, setback,
+                )  # fmt: skip
+                if pushed and left > 0:
+                    new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                    if new_cell != cell:
+                        left -= 1
+                        cell = new_cell
+                        state["box_tests"] -= end - k
+                        k, end = rest_of_cell(shapes, cells, members, cell, row)
+                        state["box_tests"] += end - k
+        note_met(saved[i], ball)
+    enter_stage(state, FINISH if settling else FIND_PAIRS)
+    return DONE
+
+
+def note_met(mark: SavedRow, ball: BallRow) -> None:
+    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
+    mark["met_x"] = ball["x"]
+    mark["met_y"] = ball["y"]
+
+
+def lacks_room(state: StateRow, hits: int, relations: int, cursor: int, most: int) -> bool:
+    """True if tables of such lengths lack room for so much more; then the stage is to go on at the cursor with more."""
+    if hits - state["hits"] >= most and relations // 2 - state["relations"] >= most:
+        return False
+    state["cursor"] = cursor
+    state["wanted_hits"] = state["hits"] + most
+    state["wanted_relations"] = state["relations"] + most
+    return True
+
+
+def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:
+    """How many shapes a ball can meet in one iteration at most."""
+    fixed, moving = int(state["fixed"]), int(state["shapes"] - state["fixed"])
+    lists = 1 + NEW_CELLS
+    return min(lists * int(index[FIXED]["longest"]), fixed) + min(lists * int(index[MOVING]["longest"]), moving)
+
+
+def find_pairs(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
+    saved: Table[SavedRow],
+) -> int:
+    """DONE when `pairs` holds the pairs of balls to be tested in this iteration; NEEDS_PAIRS if it has too few rows."""
+    count = 0
+    if state["balls"] > 1:
+        tests = int(state["box_tests"])
+        if state["broad_phase"] == BRUTE:
+            count = pairs_by_brute_force(state, balls, pairs)
+        elif state["broad_phase"] == GRID:
+            count = pairs_by_grid(state, balls, slots, starts, pairs, 0.0)
+        else:
+            root = int(index[MOVING]["cells_end"])
+            free = int(index[MOVING]["members_end"])
+            end = plant_ball_tree(state, balls, shapes, cells, members, root, free)
+            count = pairs_by_quadtree(state, balls, cells, members, root, end, pairs) if end > 0 else -1
+        if count < 0:
+            state["box_tests"] = tests
+            return NEEDS_PAIRS
+    if state["iteration"] > 0:
+        count = keep_due(pairs, count, saved)
+    for i in range(state["balls"]):
+        saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+    state["pairs"] = count
+    enter_stage(state, PAIRS)
+    return DONE
+
+
+def keep_due(pairs: Pairs, count: int, saved: Table[SavedRow]) -> int:
+    """The number of pairs left when those that have not moved since they were last tested are taken out."""
+    kept = 0
+    for k in range(count):
+        i, j = pairs[k, 0], pairs[k, 1]
+        if (saved[i]["touched"] | saved[j]["touched"]) & PAIRS_DUE:
+            pairs[kept, 0] = i
+            pairs[kept, 1] = j
+            kept += 1
+    return kept
+
+
+def meet_all_pairs(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    pairs: Pairs,
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when the pairs have been tested, each once, and the next iteration or the substep's end is to come.
+
+    After the last iteration the shapes at rest come once more, if it met anything: they have the last word.
+    """
+    time = hit_time(state)
+    rest = rest_speed(state)
+    for k in range(state["cursor"], state["pairs"]):
+        if lacks_room(state, len(hits), len(relations), k, 1):
+            return NEEDS_ROOM
+        i = min(int(pairs[k, 0]), int(pairs[k, 1]))
+        j = max(int(pairs[k, 0]), int(pairs[k, 1]))
+        first, second = balls[i], balls[j]
+        if balls_overlap(state, first, second):
+            if first["sensor"] != 0 or second["sensor"] != 0:
+                meet_sensing_ball(state, first, i, second, j, hits, relations, time)
+            else:
+                x1, y1, x2, y2 = float(first["x"]), float(first["y"]), float(second["x"]), float(second["y"])
+                if meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]], time, rest):
+                    keep_side(state, first, saved[i], shapes, index, cells, members, relations, x1, y1)
+                    keep_side(state, second, saved[j], shapes, index, cells, members, relations, x2, y2)
+    state["iteration"] += 1
+    enter_stage(state, SHAPES if state["found"] > 0 else FINISH)
+    state["found"] = 0
+    return DONE
+
+
+def finish(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when relations, movers that have arrived, friction and sleep are dealt with; what is next is to come."""
+    if state["relations"] > 0:
+        if len(hits) - state["hits"] < state["relations"]:
+            state["wanted_hits"] = state["hits"] + state["relations"]
+            return NEEDS_ROOM
+        sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
+    finish_substep(state, balls, substep_length(state))
+    for k in range(state["fixed"], state["shapes"]):
+        let_rest(shapes[order[k]])
+    state["substep"] += 1
+    enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)
+    return DONE

@@ -1,0 +1,106 @@
+"""The end of a substep: relations that end, friction, and balls that fall asleep."""
+
+from __future__ import annotations
+
+from carom.rows.ball import OF_WORLD, BallRow
+from carom.rows.contact import find_contact
+from carom.rows.hit import EXIT, HitRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import DISCRETE, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import distance_to_shape
+from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.motion import slow_by_friction
+from carom.world.kernels.step.narrow import boxes_apart, may_collide
+from carom.world.kernels.step.relations import drop_relation
+
+
+def is_there(balls: Table[BallRow], shapes: Table[ShapeRow], ball: BallRow, kind: int, other: int) -> bool:
+    """True if what a ball's relation is to may be met still, as a sensor or not, as when the relation began."""
+    if kind == INSIDE_BALL:
+        return may_collide(ball, balls[other]) and (balls[other]["sensor"] != 0 or ball["sensor"] != 0)
+    sensing = shapes[other]["sensor"] != 0 or ball["sensor"] != 0
+    return may_collide(ball, shapes[other]) and bool(sensing) == (kind == INSIDE_SHAPE)
+
+
+def still_holds(
+    state: StateRow, balls: Table[BallRow], shapes: Table[ShapeRow], ball: BallRow, kind: int, other: int
+) -> bool:
+    """True if a ball's relation lasts: both are there to collide, and it overlaps the other row still.
+
+    A ball that passes a segment or arc overlaps it as long as any place of it, the ends included, is inside the ball.
+    In the continuous mode a ball's flight has ended what it does not overlap any more.
+    """
+    if state["detection"] != DISCRETE:
+        return is_there(balls, shapes, ball, kind, other)
+    if kind == LASTING:
+        return False
+    if kind == INSIDE_BALL:
+        partner = balls[other]
+        if not may_collide(ball, partner) or (partner["sensor"] == 0 and ball["sensor"] == 0):
+            return False
+        dx, dy = float(partner["x"]) - float(ball["x"]), float(partner["y"]) - float(ball["y"])
+        reach = float(partner["radius"]) + float(ball["radius"])
+        return dx * dx + dy * dy < reach * reach
+    shape = shapes[other]
+    if not may_collide(ball, shape) or boxes_apart(ball, shape):
+        return False
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    if kind == PASSING:
+        return bool(shape["sensor"] == 0 and ball["sensor"] == 0 and distance_to_shape(shape, x, y) < radius)
+    if shape["sensor"] == 0 and ball["sensor"] == 0:
+        return False
+    return find_contact(shape, x, y, radius, 0.0, 0.0) is not None
+
+
+def sweep_relations(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    time: float,
+) -> None:
+    """Drop the relations that do not hold any more; a sensor's end with an `EXIT`, for which there must be room."""
+    for i in range(state["balls"]):
+        ball = balls[i]
+        before = NO_RELATION
+        place = int(ball["relation"])
+        while place != NO_RELATION:
+            kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
+            if still_holds(state, balls, shapes, ball, kind, other):
+                before = place
+                place = int(relations[place]["next"])
+            else:
+                if kind == INSIDE_SHAPE:
+                    write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+                elif kind == INSIDE_BALL:
+                    write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+                place = drop_relation(state, relations, ball, place, before)
+
+
+def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> None:
+    """Apply friction for `duration` seconds, and put to sleep the balls that have been slow for long enough."""
+    worlds_loss = float(state["friction"]) * duration
+    sleep_speed = float(state["sleep_speed"])
+    if worlds_loss == 0.0 and sleep_speed == 0.0 and state["braked"] == 0:
+        return
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if ball["asleep"] != 0:
+            continue
+        friction = float(ball["friction"])
+        loss = worlds_loss if friction == OF_WORLD else friction * duration
+        if loss > 0.0:
+            slow_by_friction(ball, loss)
+        vx, vy = float(ball["vx"]), float(ball["vy"])
+        if vx * vx + vy * vy >= sleep_speed * sleep_speed:
+            ball["still_time"] = 0.0
+            continue
+        ball["still_time"] += duration
+        if ball["still_time"] >= state["sleep_time"]:
+            ball["asleep"] = 1
+            ball["vx"] = 0.0
+            ball["vy"] = 0.0
+            state["sleeping"] += 1

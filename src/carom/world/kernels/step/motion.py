@@ -1,0 +1,104 @@
+"""How balls and kinematic shapes move in one substep."""
+
+from __future__ import annotations
+
+from math import fabs
+
+from carom.geometry.vector import larger, length, smaller
+from carom.rows.ball import BallRow
+from carom.rows.pose import advance_pose
+from carom.rows.shape import KINEMATIC, ShapeRow
+from carom.rows.state import StateRow
+from carom.rows.tables import Table
+
+
+def move_ball(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> None:
+    """Move a ball along the exact parabola of constant gravity for `duration` seconds."""
+    half = 0.5 * duration * duration
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    ball["x"] = float(ball["x"]) + (vx * duration + gravity_x * half)
+    ball["y"] = float(ball["y"]) + (vy * duration + gravity_y * half)
+    ball["vx"] = vx + gravity_x * duration
+    ball["vy"] = vy + gravity_y * duration
+
+
+def move_shapes(
+    state: StateRow, balls: Table[BallRow], shapes: Table[ShapeRow], order: Table[int], duration: float
+) -> bool:
+    """Move the kinematic shapes for `duration` seconds and wake the balls in their way; True if any shape moved.
+
+    A shape's way is the box around its box before and after, and as far around that as a turning shape bulges.
+    """
+    moved = False
+    for k in range(state["fixed"], state["shapes"]):
+        shape = shapes[order[k]]
+        left, bottom = float(shape["left"]), float(shape["bottom"])
+        right, top = float(shape["right"]), float(shape["top"])
+        if shape["motion"] == KINEMATIC and advance_pose(shape, duration):
+            moved = True
+            if state["sleeping"] > 0:
+                bulge = turning_bulge(shape)
+                left = smaller(left, float(shape["left"])) - bulge
+                bottom = smaller(bottom, float(shape["bottom"])) - bulge
+                right = larger(right, float(shape["right"])) + bulge
+                top = larger(top, float(shape["top"])) + bulge
+                wake_in_box(state, balls, left, bottom, right, top)
+    return moved
+
+
+def turning_bulge(shape: ShapeRow) -> float:
+    """How far a shape that turned in this substep came, at most, from the straight way between where it was and is.
+
+    A point at distance r from the pivot that turns by the angle a stays within r·a²/8 of the straight way, and within
+    2r at any angle. The farthest corner of the box stands for the farthest point.
+    """
+    turn = fabs(float(shape["orientation"]) - float(shape["orientation_before"]))
+    if turn == 0.0:
+        return 0.0
+    x, y = float(shape["pivot_x"]), float(shape["pivot_y"])
+    across = larger(fabs(float(shape["left"]) - x), fabs(float(shape["right"]) - x))
+    along = larger(fabs(float(shape["bottom"]) - y), fabs(float(shape["top"]) - y))
+    return length(across, along) * smaller(0.125 * turn * turn, 2.0)
+
+
+def wake(state: StateRow, ball: BallRow) -> None:
+    """Wake a ball that sleeps; a waking ball starts counting its rest anew."""
+    if ball["asleep"] != 0:
+        rouse(state, ball)
+        ball["still_time"] = 0.0
+
+
+def rouse(state: StateRow, ball: BallRow) -> None:
+    """Wake a ball that sleeps until the substep's end, where it falls asleep again if it is slow still."""
+    if ball["asleep"] != 0:
+        ball["asleep"] = 0
+        state["sleeping"] -= 1
+
+
+def wake_in_box(state: StateRow, balls: Table[BallRow], left: float, bottom: float, right: float, top: float) -> None:
+    """Wake the sleeping balls whose boxes meet the box."""
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if ball["asleep"] != 0:
+            x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+            if left <= x + radius and x - radius <= right and bottom <= y + radius and y - radius <= top:
+                wake(state, ball)
+
+
+def wake_all(state: StateRow, balls: Table[BallRow]) -> None:
+    """Wake every sleeping ball."""
+    for i in range(state["balls"]):
+        wake(state, balls[i])
+
+
+def slow_by_friction(ball: BallRow, loss: float) -> None:
+    """Take `loss` from a ball's speed, at most all of it."""
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    speed = length(vx, vy)
+    if speed <= loss:
+        ball["vx"] = 0.0
+        ball["vy"] = 0.0
+    else:
+        kept = 1.0 - loss / speed
+        ball["vx"] = vx * kept
+        ball["vy"] = vy * kept

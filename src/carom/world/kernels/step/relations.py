@@ -1,0 +1,90 @@
+"""Relations: which balls pass which shapes, and which are inside which sensors; a linked list for each ball."""
+
+from __future__ import annotations
+
+from carom.rows.ball import BallRow
+from carom.rows.relation import NO_RELATION, RelationRow
+from carom.rows.state import StateRow
+from carom.rows.tables import Table
+
+
+def find_relation(relations: Table[RelationRow], ball: BallRow, kind: int, other: int) -> bool:
+    """True if the ball has the relation `kind` to row `other`."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind and relations[place]["other"] == other:
+            return True
+        place = int(relations[place]["next"])
+    return False
+
+
+def relations_room(state: StateRow, relations: Table[RelationRow]) -> int:
+    """How many relations can be added; the upper half of the pool is for the copy that a failed step goes back to."""
+    return len(relations) // 2 - int(state["relations"])
+
+
+def add_relation(
+    state: StateRow, relations: Table[RelationRow], ball: BallRow, ball_row: int, kind: int, other: int
+) -> None:
+    """Add a relation in front of a ball's others; there must be room."""
+    place = int(state["free_relation"])
+    if place == NO_RELATION:
+        place = int(state["relations_high"])
+        state["relations_high"] = place + 1
+    else:
+        state["free_relation"] = relations[place]["next"]
+    relation = relations[place]
+    relation["kind"] = kind
+    relation["ball"] = ball_row
+    relation["other"] = other
+    relation["next"] = ball["relation"]
+    ball["relation"] = place
+    state["relations"] += 1
+
+
+def drop_relation(state: StateRow, relations: Table[RelationRow], ball: BallRow, place: int, before: int) -> int:
+    """The relation after `place`, which is taken out of its ball's list; `before` is the one before it, if any."""
+    following = int(relations[place]["next"])
+    if before == NO_RELATION:
+        ball["relation"] = following
+    else:
+        relations[before]["next"] = following
+    relations[place]["next"] = state["free_relation"]
+    relations[place]["ball"] = NO_RELATION
+    state["free_relation"] = place
+    state["relations"] -= 1
+    return following
+
+
+def has_kind(relations: Table[RelationRow], ball: BallRow, kind: int) -> bool:
+    """True if the ball has a relation of the kind to anything."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind:
+            return True
+        place = int(relations[place]["next"])
+    return False
+
+
+def drop_kind(state: StateRow, relations: Table[RelationRow], ball: BallRow, kind: int, other: int) -> None:
+    """Take out the relation `kind` of a ball to row `other`, if there is one."""
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind and relations[place]["other"] == other:
+            drop_relation(state, relations, ball, place, before)
+            return
+        before = place
+        place = int(relations[place]["next"])
+
+
+def drop_all(state: StateRow, relations: Table[RelationRow], ball: BallRow, kind: int) -> None:
+    """Take out all relations of a ball of a kind."""
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind:
+            place = drop_relation(state, relations, ball, place, before)
+        else:
+            before = place
+            place = int(relations[place]["next"])

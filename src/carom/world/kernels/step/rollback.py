@@ -1,0 +1,207 @@
+"""The beginning and the end of a step: bad state is refused, and a step that fails leaves everything as it was."""
+
+from __future__ import annotations
+
+from math import inf
+
+from carom.rows.ball import OF_WORLD, BallRow
+from carom.rows.relation import RelationRow
+from carom.rows.saved import SavedRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, REFUSED, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.step.motion import wake_all
+
+
+def is_finite(value: float) -> bool:
+    """True unless the value is infinite or NaN."""
+    return value - value == 0.0
+
+
+def is_sound(ball: BallRow) -> bool:
+    """True if a ball's place and velocity are finite."""
+    moving = is_finite(float(ball["x"])) and is_finite(float(ball["y"]))
+    return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
+
+
+def is_measured(ball: BallRow) -> bool:
+    """True if a ball's radius, mass, elasticity and friction are finite."""
+    size = is_finite(float(ball["radius"])) and is_finite(float(ball["mass"]))
+    return size and is_finite(float(ball["elasticity"])) and is_finite(float(ball["friction"]))
+
+
+def is_allowed(ball: BallRow) -> bool:
+    """True if a ball's radius, mass, elasticity and friction are finite and what they may be."""
+    friction = float(ball["friction"])
+    fit = (
+        0.0 < float(ball["radius"]) < inf and 0.0 < float(ball["mass"]) < inf and 0.0 <= float(ball["elasticity"]) < inf
+    )
+    return fit and (friction == OF_WORLD or 0.0 <= friction < inf)
+
+
+def is_in_reach(shape: ShapeRow) -> bool:
+    """True if a shape is where numbers reach."""
+    low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
+    return low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))
+
+
+def shapes_are_sound(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
+    """True if all kinematic shapes are where numbers reach."""
+    sound = True
+    for k in range(state["fixed"], state["shapes"]):
+        sound = sound and is_in_reach(shapes[order[k]])
+    return sound
+
+
+def begin_step(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
+    state = states[0]
+    largest = 0.0
+    braked = 0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if not (is_sound(ball) and is_allowed(ball)):
+            return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
+        largest = max(largest, float(ball["radius"]))
+        if ball["friction"] != OF_WORLD:
+            braked += 1
+    if state["sleeping"] > 0 and state["wake"] == 0 and was_changed(state, balls, saved):
+        state["wake"] = 1
+    state["step_hits"] = state["hits"]
+    save(states, balls, shapes, order, saved, relations)
+    if state["wake"] != 0:
+        wake_all(state, balls)
+        state["wake"] = 0
+    if largest > state["reach"] or largest * 4.0 < state["reach"]:
+        state["reach"] = largest
+        state["index_stale"] = 1
+    state["substep"] = 0
+    state["outside"] = 0
+    state["braked"] = braked
+    state["stage_entered"] = 0
+    state["stage"] = MOVE
+    return DONE
+
+
+def was_changed(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> bool:
+    """True if a ball is not as the last step left it: it was changed through a view."""
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        if ball["x"] != kept["x"] or ball["y"] != kept["y"] or ball["vx"] != kept["vx"] or ball["vy"] != kept["vy"]:
+            return True
+    return False
+
+
+def save_balls(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:
+    """Keep what a step may change in the balls."""
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        kept["x"] = ball["x"]
+        kept["y"] = ball["y"]
+        kept["vx"] = ball["vx"]
+        kept["vy"] = ball["vy"]
+        kept["still_time"] = ball["still_time"]
+        kept["relation"] = ball["relation"]
+        kept["asleep"] = ball["asleep"]
+        kept["stray"] = ball["stray"]
+        kept["touched"] = 0
+        kept["met_x"] = ball["x"]
+        kept["met_y"] = ball["y"]
+
+
+def save(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> None:
+    """Keep all that a step may change: balls, state, kinematic shapes (behind the shapes), relations (upper half)."""
+    state = states[0]
+    save_balls(state, balls, saved)
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        shapes[count + k - fixed] = shapes[order[k]]
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[half + k] = relations[k]
+    states[1] = states[0]
+
+
+def roll_back(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> None:
+    """Put everything back to where it was when `save` was called; the copies tell what was not finite any more."""
+    states[0] = states[1]
+    state = states[0]
+    for i in range(state["balls"]):
+        ball, kept = balls[i], saved[i]
+        kept["overflowed"] = 0 if is_sound(ball) else 1
+        ball["x"] = kept["x"]
+        ball["y"] = kept["y"]
+        ball["vx"] = kept["vx"]
+        ball["vy"] = kept["vy"]
+        ball["still_time"] = kept["still_time"]
+        ball["relation"] = kept["relation"]
+        ball["asleep"] = kept["asleep"]
+        ball["stray"] = kept["stray"]
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        sound = is_in_reach(shapes[order[k]])
+        shapes[order[k]] = shapes[count + k - fixed]
+        shapes[count + k - fixed]["spare"] = 0 if sound else 1
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[k] = relations[half + k]
+    state["index_stale"] = 1
+
+
+def end_step(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when the step is complete; HAS_STRAYS if balls are to be removed; NOT_FINITE if it was rolled back."""
+    state = states[0]
+    for i in range(state["balls"]):
+        if not is_sound(balls[i]):
+            roll_back(states, balls, shapes, order, saved, relations)
+            return NOT_FINITE
+    if state["bounded"] != 0:
+        find_strays(state, balls)
+    if state["sleeping"] > 0:
+        save_balls(state, balls, saved)
+    state["time"] += state["dt"]
+    state["steps_left"] -= 1
+    state["stage"] = BEGIN
+    return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
+
+
+def find_strays(state: StateRow, balls: Table[BallRow]) -> None:
+    """Mark and count the balls that lie wholly outside of the bounds; those that did not before count as strays."""
+    left, bottom = float(state["left"]), float(state["bottom"])
+    right, top = float(state["right"]), float(state["top"])
+    for i in range(state["balls"]):
+        ball = balls[i]
+        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+        outside = x + radius < left or x - radius > right or y + radius < bottom or y - radius > top
+        if outside:
+            state["outside"] += 1
+            state["strays"] += 1 - ball["stray"]
+        ball["stray"] = 1 if outside else 0

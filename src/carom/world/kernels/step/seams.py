@@ -1,0 +1,122 @@
+"""Points at the seams of walls: a ball beside a wall is not turned by a point on it or behind it (discrete)."""
+
+from __future__ import annotations
+
+from carom.constants import END_SLOP, SEAM_REACH, SEPARATION_SLACK
+from carom.geometry.vector import cross, length
+from carom.rows.ball import BallRow
+from carom.rows.index import CellRow, IndexRow
+from carom.rows.relation import PASSING, RelationRow
+from carom.rows.shape import CIRCLE, GATE, POINT, SEGMENT, ShapeRow
+from carom.rows.state import StateRow
+from carom.rows.tables import Row, Table
+from carom.world.kernels.broad_phase.shape_index import cell_span, locate
+from carom.world.kernels.continuous.surfaces import gap_at_rest
+from carom.world.kernels.step.narrow import may_collide, overlap_with, starts_passing
+from carom.world.kernels.step.relations import find_relation
+
+
+def overlap_beside_walls(
+    state: StateRow,
+    ball: BallRow,
+    shape: ShapeRow,
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    moved: bool,
+    from_x: float,
+    from_y: float,
+    to_x: float,
+    to_y: float,
+) -> tuple[float, float, float, float, float] | None:
+    """The overlap of a ball with a shape whose box it meets, as `overlap_with` gives it, or None.
+
+    None also with a point that yields to a wall. The rest is as in `starts_passing`.
+    """
+    if shape["kind"] == POINT and yields_to_wall(
+        state, ball, shape, shapes, index, cells, members, relations, moved, from_x, from_y, to_x, to_y
+    ):
+        return None
+    return overlap_with(state, ball, shape)
+
+
+def yields_to_wall(
+    state: StateRow,
+    ball: BallRow,
+    point: Row,
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    moved: bool,
+    from_x: float,
+    from_y: float,
+    to_x: float,
+    to_y: float,
+) -> bool:
+    """True if a ball overlaps a point, but meets a wall that the point stands on or lies behind.
+
+    A ball in the wall's slab or sector comes to no such point before it comes to the wall. An overlap that is found
+    late would still turn the ball by the direction to the point. The rest is as in `starts_passing`.
+    """
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    if point["sensor"] != 0 or ball["sensor"] != 0:
+        return False
+    if length(x - float(point["cx"]), y - float(point["cy"])) >= radius:
+        return False
+    for which in range(2):
+        k, end = cell_span(cells, locate(state, index[which], cells, x, y))
+        while k < end:
+            row = int(members[k])
+            k += 1
+            if shapes[row]["kind"] != POINT and wall_takes_ball(
+                ball, point, shapes[row], row, relations, moved, from_x, from_y, to_x, to_y
+            ):
+                state["full_tests"] += 1
+                return True
+    return False
+
+
+def wall_takes_ball(
+    ball: BallRow,
+    point: Row,
+    wall: Row,
+    row: int,
+    relations: Table[RelationRow],
+    moved: bool,
+    from_x: float,
+    from_y: float,
+    to_x: float,
+    to_y: float,
+) -> bool:
+    """True if a ball beside a wall overlaps it and does not pass it, and a point is on the wall or behind it."""
+    radius = float(ball["radius"])
+    if wall["sensor"] != 0 or not may_collide(ball, wall):
+        return False
+    x, y = float(ball["x"]), float(ball["y"])
+    found = gap_at_rest(wall, x, y, radius, 0.0, 0.0, END_SLOP * radius)
+    if found is None:
+        return False
+    gap, _nx, _ny = found
+    if gap > SEPARATION_SLACK * radius:
+        return False
+    if height_over(wall, x, y, float(point["cx"]), float(point["cy"])) > SEAM_REACH * radius:
+        return False
+    if find_relation(relations, ball, PASSING, row):
+        return False
+    return not starts_passing(wall, ball, 0.0 - gap, moved, from_x, from_y, to_x, to_y)
+
+
+def height_over(wall: Row, x: float, y: float, qx: float, qy: float) -> float:
+    """How far a place q stands out of a wall's line or circle, on the side on which a ball at (x, y) is."""
+    if wall["kind"] == SEGMENT or wall["kind"] == GATE:
+        ax, ay, tx, ty = float(wall["ax"]), float(wall["ay"]), float(wall["tx"]), float(wall["ty"])
+        over = cross(tx, ty, qx - ax, qy - ay)
+        return over if cross(tx, ty, x - ax, y - ay) >= 0.0 else -over
+    cx, cy, radius = float(wall["cx"]), float(wall["cy"]), float(wall["radius"])
+    outside = length(qx - cx, qy - cy) - radius
+    within = length(x - cx, y - cy) < radius and not (wall["kind"] == CIRCLE and wall["solid"] != 0)
+    return -outside if within else outside
