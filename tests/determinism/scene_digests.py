@@ -65,4 +65,5 @@ def lines(steps: int) -> Iterator[str]:
 
 if __name__ == "__main__":
     for line in lines(int(sys.argv[1]) if len(sys.argv) > 1 else STEPS):
-        print(line, flush=True)
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()

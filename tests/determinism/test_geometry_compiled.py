@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from carom.geometry import aabb, angle, arc, circle, line, overlap, response, vector
+from carom.geometry import aabb, angle, arc, circle, entry, line, overlap, response, vector
 
 numba = pytest.importorskip("numba")
 
 CASES = 300
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
-MODULES = (vector, angle, circle, line, arc, aabb, overlap, response)
+MODULES = (vector, angle, circle, line, arc, aabb, overlap, response, entry)
 #: Values that coincide, cancel, touch and overflow more often than random ones would.
 TELLING = (
     0.0,

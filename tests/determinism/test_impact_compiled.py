@@ -1,4 +1,4 @@
-"""Compiled, times of impact, rays and touches of turning shapes are the same bits as interpreted."""
+"""Compiled, times of impact, rays, touches of turning shapes and gaps are the same bits as interpreted."""
 
 import inspect
 from collections.abc import Callable
@@ -11,6 +11,8 @@ import pytest
 from carom.geometry import (
     advance,
     arc,
+    circle,
+    gap,
     impact,
     impact_fall,
     impact_straight,
@@ -27,7 +29,7 @@ numba = pytest.importorskip("numba")
 
 CASES = 3000
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
-MODULES = (vector, arc, overlap, roots, reach, impact_straight, impact_fall, impact, ray, turning, advance)
+MODULES = (vector, circle, arc, overlap, roots, reach, gap, impact_straight, impact_fall, impact, ray, turning, advance)
 KINDS = ("point", "segment", "circle", "arc", "ball")
 DOORS = [
     roots.falling_time,
@@ -35,9 +37,9 @@ DOORS = [
     roots.cubic_roots,
     *[
         function
-        for module in (impact, ray, advance)
+        for module in (impact, ray, advance, gap)
         for function in functions(module)
-        if function.__name__ in {f"{name}_{kind}" for name in ("impact", "ray", "advance") for kind in KINDS}
+        if function.__name__ in {f"{name}_{kind}" for name in ("impact", "ray", "advance", "gap") for kind in KINDS}
     ],
 ]
 
@@ -79,7 +81,7 @@ def scene(random: Random) -> dict[str, Any]:
     rest = {"vx2": vx, "vy2": vy, "dx": vx * duration, "dy": vy * duration, "solid": random.choice((0, 1))}
     names = {"cx": cx, "cy": cy, "qx": cx, "qy": cy, "r": extent, "tx": tx, "ty": ty, "extent": extent}
     polynomial = {name: random.gauss(0.0, 3.0) for name in ("c0", "c1", "c2", "c3", "height", "rate", "acceleration")}
-    return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius}
+    return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius, "wx": vx, "wy": vy}
 
 
 @pytest.mark.slow

@@ -8,8 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Arc, Ball, Circle, Gate, Point, Segment, World
+from carom.rows.kinds_near import distance_to_shape
 from carom.shapes.shape import Shape
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, distance_to_shape
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from tests import strategies
 from tests.physics.kernel_calls import found_shapes, prepare_index
 from tests.strategies import Figure

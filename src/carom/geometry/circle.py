@@ -23,6 +23,18 @@ def closest_on_circle(cx: float, cy: float, radius: float, x: float, y: float) -
     return cx + radius * ux, cy + radius * uy
 
 
+def closest_on_disc(cx: float, cy: float, radius: float, x: float, y: float) -> tuple[float, float, bool]:
+    """The point of a solid circle's or a ball's perimeter nearest to (x, y), and whether that is inside."""
+    px, py = closest_on_circle(cx, cy, radius, x, y)
+    return px, py, circle_contains(cx, cy, radius, x, y)
+
+
+def distance_to_circle(cx: float, cy: float, radius: float, solid: int, x: float, y: float) -> float:
+    """The distance from (x, y) to the circle's perimeter; 0 inside a solid one."""
+    outside = length(x - cx, y - cy) - radius
+    return max(outside, 0.0) if solid != 0 else fabs(outside)
+
+
 def tangent_points(cx: float, cy: float, radius: float, x: float, y: float) -> tuple[float, float, float, float] | None:
     """Where the two tangents through p = (x, y) touch the circle about c, as (x0, y0, x1, y1); None from inside.
 

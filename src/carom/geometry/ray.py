@@ -8,6 +8,7 @@ circle that touches already and approaches touches at 0, one that leaves or slid
 
 from __future__ import annotations
 
+from carom.geometry.circle import circle_contains
 from carom.geometry.impact import impact_arc, impact_circle, impact_point, impact_segment
 from carom.geometry.overlap import direction_or
 
@@ -54,6 +55,15 @@ def ray_circle(
     if fraction is None:
         return None
     return touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)
+
+
+def ray_disc(
+    cx: float, cy: float, r: float, x: float, y: float, radius: float, dx: float, dy: float
+) -> tuple[float, float, float, float, float] | None:
+    """The first touch with a ball or a solid circle; None for a ray proper that starts inside, and does not see it."""
+    if radius == 0.0 and circle_contains(cx, cy, r, x, y):
+        return None
+    return ray_circle(cx, cy, r, 1, x, y, radius, dx, dy)
 
 
 def ray_arc(

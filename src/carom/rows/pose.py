@@ -6,14 +6,15 @@ interpreter the numbers are made Python floats when read, so that both give the 
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import cos, inf, sin
 
 from carom.constants import STOP_MARGIN
 from carom.geometry.aabb import arc_box, circle_box, segment_box
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import length, rotated, unit
-from carom.rows.shape import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, SEGMENT, STATIC, ShapeRow
+from carom.rows.kinds import is_round, is_straight
+from carom.rows.shape import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, STATIC, ShapeRow
 
 
 def derive(shape: ShapeRow) -> None:
@@ -21,18 +22,22 @@ def derive(shape: ShapeRow) -> None:
 
     The current geometry is `cx, cy` of a point or circle, `ax, ay, bx, by` of a segment or gate in either order, and
     `cx, cy, radius, start_angle, end_angle` (normalized) of an arc. A segment whose ends rounding has made one keeps
-    the tangent that it had. Source: docs/shapes-and-responses.md.
+    the tangent that it had. A shape of an unknown kind may be anywhere: its box is infinite, by which a world sees it.
+    Source: docs/shapes-and-responses.md.
     """
-    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
-        _derive_segment(shape)
-    elif shape["kind"] == ARC:
-        _derive_arc(shape)
-    elif shape["kind"] == CIRCLE:
-        left, bottom, right, top = circle_box(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]))
-        _set_box(shape, left, bottom, right, top)
-    else:
+    kind = shape["kind"]
+    if kind == POINT:
         x, y = float(shape["cx"]), float(shape["cy"])
         _set_box(shape, x, y, x, y)
+    elif is_straight(kind):
+        _derive_segment(shape)
+    elif kind == CIRCLE:
+        left, bottom, right, top = circle_box(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]))
+        _set_box(shape, left, bottom, right, top)
+    elif kind == ARC:
+        _derive_arc(shape)
+    else:
+        _set_box(shape, -inf, -inf, inf, inf)
 
 
 def _set_box(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> None:
@@ -132,14 +137,14 @@ def _shift(shape: ShapeRow) -> None:
     """Move the initial geometry as far as the pivot has moved from the hinge."""
     x = float(shape["pivot_x"]) - float(shape["hinge_x"])
     y = float(shape["pivot_y"]) - float(shape["hinge_y"])
-    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+    if is_straight(shape["kind"]):
         shape["ax"] = float(shape["initial_ax"]) + x
         shape["ay"] = float(shape["initial_ay"]) + y
         shape["bx"] = float(shape["initial_bx"]) + x
         shape["by"] = float(shape["initial_by"]) + y
         shape["dx"] = shape["initial_dx"]
         shape["dy"] = shape["initial_dy"]
-    else:
+    elif is_round(shape["kind"]):
         shape["cx"] = float(shape["initial_cx"]) + x
         shape["cy"] = float(shape["initial_cy"]) + y
 
@@ -148,7 +153,7 @@ def _turn(shape: ShapeRow, c: float, s: float) -> None:
     """Nothing; the initial geometry turned by the angle of cosine c and sine s, then moved with the pivot."""
     from_x, from_y = float(shape["hinge_x"]), float(shape["hinge_y"])
     to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
-    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+    if is_straight(shape["kind"]):
         x, y = rotated(float(shape["initial_ax"]) - from_x, float(shape["initial_ay"]) - from_y, c, s)
         shape["ax"] = to_x + x
         shape["ay"] = to_y + y
@@ -159,10 +164,17 @@ def _turn(shape: ShapeRow, c: float, s: float) -> None:
             x, y = rotated(float(shape["initial_dx"]), float(shape["initial_dy"]), c, s)
             shape["dx"] = x
             shape["dy"] = y
-    else:
+    elif is_round(shape["kind"]):
         x, y = rotated(float(shape["initial_cx"]) - from_x, float(shape["initial_cy"]) - from_y, c, s)
         shape["cx"] = to_x + x
         shape["cy"] = to_y + y
+
+
+def is_moving(shape: ShapeRow) -> bool:
+    """True if the shape moves in this substep or span."""
+    if shape["motion"] != KINEMATIC:
+        return False
+    return bool(shape["spin"] != 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0)
 
 
 def acting_spin(shape: ShapeRow) -> float:

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom.checks import refuse
-from carom.geometry.overlap import overlap_ball, overlap_gate
+from carom.geometry.overlap import overlap_ball
 from carom.geometry.vector import length
-from carom.rows.contact import find_contact, may_meet
+from carom.rows.kinds import detect_contact
+from carom.rows.masks import may_collide
 from carom.rows.pose import acting_spin, surface_velocity
-from carom.rows.shape import BALL_KIND, GATE
+from carom.rows.shape import BALL_KIND
 from carom.rows.tables import Row
 from carom.shapes.member import Member
 from carom.typing import Vector
@@ -46,14 +47,14 @@ def _ball_row(value: Any) -> Row:
 
 
 def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
-    """The contact of a ball with a point, segment, gate, circle or arc; a miss is None.
+    """The contact of a ball with a shape that is no ball; a miss is None.
 
     A gate yields one only where the ball's centre is on the closed side and the ball approaches. Masks and
     `can_collide` hold; sensors are found like anything else.
     """
     body = _ball_row(ball)
     row = shape._row
-    if not may_meet(row, body):
+    if not may_collide(row, body):
         return None
     x, y, radius = float(body["x"]), float(body["y"]), float(body["radius"])
     spin = acting_spin(row)
@@ -61,10 +62,7 @@ def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
     # where it is the same at the centre as at the point of contact.
     surface_x, surface_y = surface_velocity(row, spin, x, y)
     wx, wy = float(body["vx"]) - surface_x, float(body["vy"]) - surface_y
-    if shape._KIND == GATE:
-        found = _gate_contact(row, x, y, radius, wx, wy)
-    else:
-        found = find_contact(row, x, y, radius, wx, wy)
+    found = detect_contact(row, x, y, radius, wx, wy)
     if found is None:
         return None
     px, py, nx, ny, setback = found
@@ -73,20 +71,11 @@ def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
     return Contact(shape, ball, (px, py), (nx, ny), setback, speed)
 
 
-def _gate_contact(
-    gate: Row, x: float, y: float, radius: float, wx: float, wy: float
-) -> tuple[float, float, float, float, float] | None:
-    """Point, normal and setback of a ball that a gate stops outside of a world, or None."""
-    ax, ay, tx, ty = float(gate["ax"]), float(gate["ay"]), float(gate["tx"]), float(gate["ty"])
-    extent, dx, dy = float(gate["length"]), float(gate["dx"]), float(gate["dy"])
-    return overlap_gate(ax, ay, tx, ty, extent, dx, dy, x, y, radius, wx, wy)
-
-
 def detect_pair(first: Ball, second: Ball) -> Contact | None:
     """The contact of two balls, with the normal from the first to the second; a miss, or the same ball, is None."""
     other = _ball_row(second)
     own = first._row
-    if first is second or not may_meet(own, other):
+    if first is second or not may_collide(own, other):
         return None
     wx, wy = float(other["vx"]) - float(own["vx"]), float(other["vy"]) - float(own["vy"])
     x, y, radius = float(own["x"]), float(own["y"]), float(own["radius"])

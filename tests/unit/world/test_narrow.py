@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, HitKind, Point, Segment, World
-from carom.world.kernels.step.narrow import boxes_apart, may_collide
+from carom.rows.masks import may_collide
+from carom.world.kernels.step.narrow import boxes_apart
 
 
 def test_points_come_before_segments_circles_and_arcs_and_static_before_kinematic() -> None:

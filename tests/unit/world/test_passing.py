@@ -7,9 +7,10 @@ import pytest
 
 from carom import Arc, Ball, Gate, Segment, World
 from carom.constants import END_DEPTH_DISCRETE
+from carom.rows.kinds import depth_on_entry, in_reach
 from carom.rows.pose import advance_pose
 from carom.rows.relation import PASSING
-from carom.world.kernels.step.narrow import depth_on_entry, in_reach, seen_from
+from carom.world.kernels.step.narrow import seen_from
 from carom.world.kernels.step.relations import find_relation
 
 

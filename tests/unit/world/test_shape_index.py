@@ -5,12 +5,12 @@ from math import inf, nan, pi
 import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment, World
+from carom.rows.kinds_near import distance_to_shape
 from carom.shapes.shape import Shape
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
     cell_side,
-    distance_to_shape,
     locate,
     rest_of_cell,
 )

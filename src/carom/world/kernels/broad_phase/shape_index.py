@@ -9,35 +9,16 @@ from __future__ import annotations
 from math import fabs, floor, inf, sqrt
 
 from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
-from carom.geometry.arc import in_sector
-from carom.geometry.line import distance_to_segment
-from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.index import NO_CHILD, CellRow, IndexRow
-from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
+from carom.rows.kinds_near import distance_to_shape
+from carom.rows.shape import ShapeRow
 from carom.rows.state import BRUTE, GRID, QUADTREE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, plant_root
 
 FIXED = 0
 MOVING = 1
-
-
-def distance_to_shape(shape: ShapeRow, x: float, y: float) -> float:
-    """The distance from (x, y) to the nearest place of the shape, its ends included; 0 inside a solid circle."""
-    kind = shape["kind"]
-    if kind == POINT:
-        return length(x - float(shape["cx"]), y - float(shape["cy"]))
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-    if kind == CIRCLE or kind == ARC:
-        cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-        outside = length(x - cx, y - cy) - radius
-        if kind == CIRCLE:
-            return max(outside, 0.0) if shape["solid"] != 0 else abs(outside)
-        if in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy):
-            return abs(outside)
-        return min(length(x - ax, y - ay), length(x - bx, y - by))
-    return distance_to_segment(ax, ay, bx, by, x, y)
 
 
 def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:

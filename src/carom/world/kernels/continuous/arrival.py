@@ -8,24 +8,22 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
 from carom.rows.hit import ENTER, EXIT, HitRow
 from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import has_ends
+from carom.rows.kinds_in_motion import impact_at_rest
+from carom.rows.kinds_near import distance_to_shape
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
-from carom.rows.shape import CIRCLE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, distance_to_shape, locate
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.bins import file_ball, leash, unfile_ball
 from carom.world.kernels.continuous.flight import fly_to, place_at
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.support import keep_energy
-from carom.world.kernels.continuous.surfaces import (
-    gap_to_shape,
-    impact_at_rest,
-    impact_in_motion,
-    into_frame,
-    is_moving,
-)
+from carom.world.kernels.continuous.surfaces import gap_to_shape, impact_in_motion, into_frame
 from carom.world.kernels.step.hits import write_hit
-from carom.world.kernels.step.narrow import may_collide
 from carom.world.kernels.step.relations import add_relation, drop_relation, find_relation
 
 
@@ -92,7 +90,7 @@ def near_ends(
     """True if a ball at (x, y) may be on one of the shapes `members[begin:end]` that have ends."""
     for k in range(begin, end):
         shape = shapes[members[k]]
-        if shape["kind"] != POINT and shape["kind"] != CIRCLE:
+        if has_ends(shape["kind"]):
             apart = (
                 x + radius < shape["left"]
                 or x - radius > shape["right"]
@@ -128,7 +126,7 @@ def note_passing(
     for k in range(begin, end):
         row = row_of(members[k])
         shape = shapes[row]
-        if shape["kind"] == POINT or shape["kind"] == CIRCLE:
+        if not has_ends(shape["kind"]):
             continue
         if not is_moving(shape) and (
             x + radius < shape["left"]

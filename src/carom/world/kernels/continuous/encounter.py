@@ -8,28 +8,24 @@ from carom.constants import JOINT_TURN, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP
 from carom.geometry.response import exchanged, reflected, reflected_total
 from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
-from carom.rows.contact import gate_opens
 from carom.rows.flight import ASLEEP, FLYING, STALLED, FlightRow
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import gap_at_rest, lets_pass
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
-from carom.rows.shape import GATE, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.arrival import time_of
 from carom.world.kernels.continuous.flight import fall_freely
 from carom.world.kernels.continuous.support import patience, slow_rebound, throw_off
-from carom.world.kernels.continuous.surfaces import (
-    gap_at_rest,
-    gap_to_shape,
-    into_frame,
-    is_moving,
-    velocity_of_surface,
-)
+from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, velocity_of_surface
 from carom.world.kernels.step.hits import record_hit, write_hit
 from carom.world.kernels.step.motion import rouse, wake
-from carom.world.kernels.step.narrow import limit_speed, may_collide, push_apart
+from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
 from carom.world.kernels.step.room import ACROSS, barrier, pressed_depth
 
@@ -59,13 +55,12 @@ def impact_with_shape(
         write_hit(state, hits[state["hits"]], time_of(state, time), ENTER, int(ball["id"]), int(shape["id"]))
         return
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    if shape["kind"] == GATE:
-        fx, fy = x, y
-        if is_moving(shape):
-            fx, fy = into_frame(shape, time, x, y)
-        if gate_opens(shape, fx, fy):
-            add_relation(state, relations, ball, i, PASSING, row)
-            return
+    fx, fy = x, y
+    if is_moving(shape):
+        fx, fy = into_frame(shape, time, x, y)
+    if lets_pass(shape, fx, fy):
+        add_relation(state, relations, ball, i, PASSING, row)
+        return
     found = gap_to_shape(shape, time, x, y, radius, float(ball["vx"]), float(ball["vy"]))
     if found is None:
         return
@@ -172,7 +167,7 @@ def is_squeezed(
             if found is not None:
                 gap, wall_x, wall_y = found
                 if gap < SQUEEZE_GAP * radius and dot(nx, ny, wall_x, wall_y) < -0.5:
-                    return shape["kind"] != GATE or not gate_opens(shape, x, y)
+                    return not lets_pass(shape, x, y)
     return False
 
 

@@ -9,8 +9,12 @@ from carom.geometry.vector import larger
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NO_PLACE, NOTHING, FlightRow
 from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import has_ends
+from carom.rows.kinds_in_motion import impact_at_rest
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.relation import INSIDE_BALL, LASTING, NO_RELATION, RelationRow
-from carom.rows.shape import CIRCLE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
@@ -19,8 +23,7 @@ from carom.world.kernels.continuous.flight import consider, path_box, top_speed
 from carom.world.kernels.continuous.foresee_balls import foresee_balls, foresee_pairs
 from carom.world.kernels.continuous.queue import put_event, row_of, take_event
 from carom.world.kernels.continuous.support import lean, slide_time
-from carom.world.kernels.continuous.surfaces import impact_at_rest, impact_in_motion, is_moving, span_box
-from carom.world.kernels.step.narrow import may_collide
+from carom.world.kernels.continuous.surfaces import impact_in_motion, span_box
 
 #: No cell: what is looked for may be in several.
 UNSURE = -1
@@ -281,7 +284,7 @@ def is_entered_past_ends(ball: BallRow, shape: ShapeRow) -> bool:
     """True if a ball may come onto a shape past one of its ends, and it matters when: for sensors with ends."""
     if shape["sensor"] == 0 and ball["sensor"] == 0:
         return False
-    return bool(shape["kind"] != POINT and shape["kind"] != CIRCLE)
+    return has_ends(shape["kind"])
 
 
 def foresee_entry(flight: FlightRow, shape: ShapeRow, ball: BallRow, begin: float) -> None:

@@ -8,6 +8,7 @@ from carom.constants import BIN_REACH
 from carom.geometry.impact import impact_ball
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_BALL, NO_BALL, FlightRow
+from carom.rows.masks import may_collide
 from carom.rows.relation import INSIDE_BALL, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
@@ -16,7 +17,6 @@ from carom.world.kernels.continuous.bins import leash
 from carom.world.kernels.continuous.flight import consider, place_at
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.support import patience
-from carom.world.kernels.step.narrow import may_collide
 from carom.world.kernels.step.relations import find_relation
 
 

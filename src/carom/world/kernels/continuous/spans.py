@@ -6,14 +6,14 @@ from carom.constants import FEW_BALLS, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
 from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
 from carom.rows.index import SlotRow
-from carom.rows.pose import acting_spin, advance_pose, rest, set_before
+from carom.rows.pose import acting_spin, advance_pose, is_moving, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.continuous.bins import may_meet
 from carom.world.kernels.continuous.flight import begin_flight, top_speed
-from carom.world.kernels.continuous.surfaces import is_moving, span_box
+from carom.world.kernels.continuous.surfaces import span_box
 from carom.world.kernels.step.motion import wake_in_box
 
 

@@ -26,21 +26,17 @@ from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
+from carom.rows.kinds import is_round, is_straight
+from carom.rows.kinds_near import height_over
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.relation import LASTING, NO_RELATION, RelationRow
-from carom.rows.shape import ARC, GATE, POINT, SEGMENT, ShapeRow
+from carom.rows.shape import ARC, POINT, SEGMENT, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.continuous.flight import fall_freely
-from carom.world.kernels.continuous.surfaces import (
-    gap_to_shape,
-    into_frame,
-    is_moving,
-    out_of_frame,
-    velocity_of_surface,
-)
-from carom.world.kernels.step.narrow import may_collide
+from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, out_of_frame, velocity_of_surface
 from carom.world.kernels.step.relations import drop_relation
-from carom.world.kernels.step.seams import height_over
 
 
 def holding_acceleration(
@@ -57,8 +53,10 @@ def holding_acceleration(
     ux = float(shape["velocity_x"]) if moving else 0.0
     uy = float(shape["velocity_y"]) if moving else 0.0
     px, py = float(shape["pivot_x"]) + ux * time, float(shape["pivot_y"]) + uy * time
-    if shape["kind"] == SEGMENT or shape["kind"] == GATE:
+    if is_straight(shape["kind"]):
         return spin * spin * dot(x - px, y - py, nx, ny) - 2.0 * spin * dot(vx - ux, vy - uy, -ny, nx)
+    if not is_round(shape["kind"]):
+        return 0.0
     cx, cy = float(shape["cx"]), float(shape["cy"])
     if moving:
         cx, cy = out_of_frame(shape, time, cx, cy)
@@ -145,7 +143,7 @@ def keep_energy(
     if held == NO_RELATION or flight["kind"] != FLYING:
         return
     shape = shapes[relations[held]["other"]]
-    if shape["kind"] == SEGMENT or shape["kind"] == GATE or is_moving(shape):
+    if not is_round(shape["kind"]) or is_moving(shape):
         return
     vx, vy = float(ball["vx"]), float(ball["vy"])
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
@@ -356,7 +354,7 @@ def rest_on_one(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeR
             speed = -speed
         ball["vx"] = -ny * speed
         ball["vy"] = nx * speed
-        if shape["kind"] != SEGMENT and shape["kind"] != GATE:
+        if is_round(shape["kind"]):
             x, y = float(ball["x"]), float(ball["y"])
             time = float(flight["time"])
             held = holding_acceleration(shape, time, x, y, float(ball["vx"]), float(ball["vy"]), nx, ny)
@@ -421,7 +419,7 @@ def turn_time(ball: BallRow, shape: ShapeRow) -> float:
     vx, vy = float(ball["vx"]) - float(shape["velocity_x"]), float(ball["vy"]) - float(shape["velocity_y"])
     turns = fabs(float(shape["spin"])) if is_moving(shape) else 0.0
     away = length(float(ball["x"]) - float(shape["cx"]), float(ball["y"]) - float(shape["cy"]))
-    if shape["kind"] != SEGMENT and shape["kind"] != GATE and away > 0.0:
+    if is_round(shape["kind"]) and away > 0.0:
         turns += length(vx, vy) / away
     return SLIDE_TURN / turns if turns > 0.0 else inf
 

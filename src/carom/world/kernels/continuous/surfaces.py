@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from math import cos, fabs, sin, sqrt
+from math import cos, fabs, sin
 
 from carom.constants import END_SLOP
-from carom.geometry.advance import advance_arc, advance_circle, advance_point, advance_segment
-from carom.geometry.impact import impact_arc, impact_circle, impact_point, impact_segment
-from carom.geometry.reach import in_wide_sector
-from carom.geometry.vector import dot, length, rotated
-from carom.rows.shape import ARC, CIRCLE, KINEMATIC, POINT, ShapeRow
-
-
-def is_moving(shape: ShapeRow) -> bool:
-    """True if the shape moves in this span."""
-    if shape["motion"] != KINEMATIC:
-        return False
-    return bool(shape["spin"] != 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0)
+from carom.geometry.vector import length, rotated
+from carom.rows.kinds import gap_at_rest
+from carom.rows.kinds_in_motion import impact_in_frame
+from carom.rows.pose import is_moving
+from carom.rows.shape import ShapeRow
 
 
 def span_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
@@ -56,26 +49,6 @@ def out_of_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[floa
     )
 
 
-def impact_at_rest(
-    shape: ShapeRow, x: float, y: float, radius: float, vx: float, vy: float, ax: float, ay: float, duration: float
-) -> float | None:
-    """When a ball first touches a shape that does not move, within `duration`, or None."""
-    kind = shape["kind"]
-    cx, cy = float(shape["cx"]), float(shape["cy"])
-    if kind == POINT:
-        return impact_point(cx, cy, x, y, radius, vx, vy, ax, ay, duration)
-    r = float(shape["radius"])
-    if kind == CIRCLE:
-        return impact_circle(cx, cy, r, int(shape["solid"]), x, y, radius, vx, vy, ax, ay, duration)
-    x0, y0 = float(shape["ax"]), float(shape["ay"])
-    slop = END_SLOP * radius
-    if kind == ARC:
-        x1, y1 = float(shape["bx"]), float(shape["by"])
-        return impact_arc(cx, cy, r, x0, y0, x1, y1, x, y, radius, vx, vy, ax, ay, duration, slop)
-    tx, ty = float(shape["tx"]), float(shape["ty"])
-    return impact_segment(x0, y0, tx, ty, float(shape["length"]), x, y, radius, vx, vy, ax, ay, duration, slop)
-
-
 def impact_in_motion(
     shape: ShapeRow,
     time: float,
@@ -100,67 +73,7 @@ def impact_in_motion(
     ax, ay = rotated(ax, ay, c, s)
     ux, uy = rotated(sign * float(shape["velocity_x"]), sign * float(shape["velocity_y"]), c, s)
     spin = sign * float(shape["spin"])
-    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
-    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    kind = shape["kind"]
-    if kind == POINT:
-        return advance_point(cx, cy, px, py, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration)
-    if kind == CIRCLE:
-        solid = int(shape["solid"])
-        return advance_circle(cx, cy, r, solid, px, py, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration)
-    x0, y0 = float(shape["ax"]), float(shape["ay"])
-    slop = END_SLOP * radius
-    if kind == ARC:
-        x1, y1 = float(shape["bx"]), float(shape["by"])
-        return advance_arc(
-            cx, cy, r, x0, y0, x1, y1, px, py, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration, slop
-        )
-    tx, ty, extent = float(shape["tx"]), float(shape["ty"]), float(shape["length"])
-    return advance_segment(x0, y0, tx, ty, extent, px, py, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration, slop)
-
-
-def gap_at_rest(
-    shape: ShapeRow, x: float, y: float, radius: float, wx: float, wy: float, slop: float
-) -> tuple[float, float, float] | None:
-    """The gap between a ball and a shape and the unit normal from the shape, as (gap, nx, ny); negative if it overlaps.
-
-    None beyond the shape's ends by more than `slop`. (wx, wy), the ball's velocity relative to the shape, decides the
-    normal where the centre lies on the shape.
-    """
-    kind = shape["kind"]
-    cx, cy = float(shape["cx"]), float(shape["cy"])
-    if kind == POINT or kind == CIRCLE or kind == ARC:
-        dx, dy, r = x - cx, y - cy, float(shape["radius"])
-        if kind == ARC:
-            x0, y0, x1, y1 = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-            if not in_wide_sector(x0 - cx, y0 - cy, x1 - cx, y1 - cy, dx, dy, slop * r):
-                return None
-        away = length(dx, dy)
-        if away == 0.0:
-            nx, ny = against(wx, wy)
-            return (r if kind == ARC or (kind == CIRCLE and shape["solid"] == 0) else -r) - radius, nx, ny
-        hollow = kind == ARC or (kind == CIRCLE and shape["solid"] == 0)
-        inward = hollow and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0))
-        if inward:
-            return r - away - radius, -dx / away, -dy / away
-        return away - r - radius, dx / away, dy / away
-    tx, ty = float(shape["tx"]), float(shape["ty"])
-    dx, dy = x - float(shape["ax"]), y - float(shape["ay"])
-    along = dot(dx, dy, tx, ty)
-    if along < -slop or along > float(shape["length"]) + slop:
-        return None
-    side = tx * dy - ty * dx
-    if side < 0.0 or (side == 0.0 and tx * wy - ty * wx > 0.0):
-        return -side - radius, ty, -tx
-    return side - radius, -ty, tx
-
-
-def against(wx: float, wy: float) -> tuple[float, float]:
-    """The unit vector against a velocity, or (0, 1) where there is none."""
-    speed = sqrt(wx * wx + wy * wy)
-    if speed == 0.0:
-        return 0.0, 1.0
-    return -wx / speed, -wy / speed
+    return impact_in_frame(shape, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration)
 
 
 def gap_to_shape(

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from math import fabs
 
-from carom.constants import END_SLOP, RAY_SLOP
-from carom.geometry.circle import circle_contains
-from carom.geometry.impact import impact_arc
-from carom.geometry.ray import ray_circle, ray_point, ray_segment, touch_of_perimeter
+from carom.constants import RAY_SLOP
+from carom.geometry.ray import ray_disc
 from carom.rows.ball import BallRow
-from carom.rows.contact import gate_opens
+from carom.rows.kinds_in_motion import ray_shape
 from carom.rows.query import CastRow, QueryRow, SearchGridRow
-from carom.rows.shape import ARC, CIRCLE, GATE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.tables import Numbered, Table
 from carom.world.kernels.queries.search_grid import column_of, slack_at
 
@@ -171,43 +169,3 @@ def is_beside(shape: ShapeRow, x: float, y: float, radius: float, dx: float, dy:
         or max(y, to_y) + reach < shape["bottom"]
         or min(y, to_y) - reach > shape["top"]
     )
-
-
-def ray_disc(
-    cx: float, cy: float, r: float, x: float, y: float, radius: float, dx: float, dy: float
-) -> tuple[float, float, float, float, float] | None:
-    """The first touch with a ball or a solid circle; None for a ray proper that starts inside, and does not see it."""
-    if radius == 0.0 and circle_contains(cx, cy, r, x, y):
-        return None
-    return ray_circle(cx, cy, r, 1, x, y, radius, dx, dy)
-
-
-def ray_shape(
-    shape: ShapeRow, x: float, y: float, radius: float, dx: float, dy: float
-) -> tuple[float, float, float, float, float] | None:
-    """The first touch with a shape that is no ball, `(fraction, px, py, nx, ny)`; None where there is none."""
-    kind = shape["kind"]
-    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    if kind == POINT:
-        return ray_point(cx, cy, x, y, radius, dx, dy)
-    if kind == CIRCLE:
-        if shape["solid"] != 0:
-            return ray_disc(cx, cy, r, x, y, radius, dx, dy)
-        return ray_circle(cx, cy, r, 0, x, y, radius, dx, dy)
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-    slop = joint_slop(ax, ay, x, y, radius, dx, dy)
-    if kind == ARC:
-        fraction = impact_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0, 0.0, 1.0, slop)
-        return None if fraction is None else touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)
-    if kind == GATE and gate_opens(shape, x, y):
-        return None
-    tx, ty, extent = float(shape["tx"]), float(shape["ty"]), float(shape["length"])
-    return ray_segment(ax - slop * tx, ay - slop * ty, tx, ty, extent + 2.0 * slop, x, y, radius, dx, dy)
-
-
-def joint_slop(ax: float, ay: float, x: float, y: float, radius: float, dx: float, dy: float) -> float:
-    """How far past its ends a segment or arc from a is met, so that rounding leaves no gap at a joint with another.
-
-    For a circle it is what a ball has in a step, for a ray what rounding amounts to.
-    """
-    return END_SLOP * radius + RAY_SLOP * (fabs(x - ax) + fabs(y - ay) + fabs(dx) + fabs(dy))

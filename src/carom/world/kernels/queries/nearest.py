@@ -5,13 +5,12 @@ from __future__ import annotations
 from math import fabs, inf, sqrt
 
 from carom.constants import ROUNDING
-from carom.geometry.arc import closest_on_arc
-from carom.geometry.circle import circle_contains, closest_on_circle
-from carom.geometry.line import closest_on_segment
+from carom.geometry.circle import closest_on_disc
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
+from carom.rows.kinds_near import closest_on_shape
 from carom.rows.query import NeighborRow, QueryRow, SearchGridRow
-from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.queries.casting import is_seen
 from carom.world.kernels.queries.search_grid import column_of, item_box, slack_at
@@ -131,26 +130,3 @@ def compare_item(
         neighbor["distance"] = distance
         neighbor["point"][0] = px
         neighbor["point"][1] = py
-
-
-def closest_on_disc(cx: float, cy: float, r: float, x: float, y: float) -> tuple[float, float, bool]:
-    """The point of a solid circle's or a ball's perimeter nearest to (x, y), and whether that is inside."""
-    px, py = closest_on_circle(cx, cy, r, x, y)
-    return px, py, circle_contains(cx, cy, r, x, y)
-
-
-def closest_on_shape(shape: ShapeRow, x: float, y: float) -> tuple[float, float, bool]:
-    """The point of a shape that is no ball nearest to (x, y), and whether that is inside of it."""
-    kind = shape["kind"]
-    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    if kind == POINT:
-        return cx, cy, False
-    if kind == CIRCLE:
-        px, py, inside = closest_on_disc(cx, cy, r, x, y)
-        return px, py, inside and shape["solid"] != 0
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-    if kind == ARC:
-        px, py = closest_on_arc(cx, cy, r, ax, ay, bx, by, x, y)
-        return px, py, False
-    px, py = closest_on_segment(ax, ay, bx, by, x, y)
-    return px, py, False

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from carom.geometry.aabb import box_contains, boxes_overlap
-from carom.geometry.boxes import box_meets_arc, box_meets_circle, box_meets_segment
-from carom.geometry.overlap import overlap_ball, overlap_gate
+from carom.geometry.aabb import boxes_overlap
+from carom.geometry.boxes import box_meets_circle
+from carom.geometry.overlap import overlap_ball
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
-from carom.rows.contact import find_contact, may_meet
+from carom.rows.kinds import detect_contact
+from carom.rows.kinds_near import box_meets_shape
+from carom.rows.masks import may_collide
 from carom.rows.pose import acting_spin, surface_velocity
 from carom.rows.query import ContactRow, InBoxRow, QueryRow, SearchGridRow
-from carom.rows.shape import ARC, CIRCLE, GATE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.pairs import may_touch
 from carom.world.kernels.queries.casting import is_seen
@@ -98,20 +100,6 @@ def id_in_box(
     return 0
 
 
-def box_meets_shape(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> bool:
-    """True if a shape that is no ball has a point in common with a box."""
-    kind = shape["kind"]
-    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    if kind == POINT:
-        return box_contains(left, bottom, right, top, cx, cy)
-    if kind == CIRCLE:
-        return box_meets_circle(left, bottom, right, top, cx, cy, radius, int(shape["solid"]))
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-    if kind == ARC:
-        return box_meets_arc(left, bottom, right, top, cx, cy, radius, ax, ay, bx, by)
-    return box_meets_segment(left, bottom, right, top, ax, ay, bx, by)
-
-
 def overlaps_of_balls(
     queries: Table[QueryRow],
     shapes: Table[ShapeRow],
@@ -177,7 +165,7 @@ def touch_ball(query: QueryRow, balls: Table[BallRow], i: int, j: int, contacts:
     first, second = balls[i], balls[j]
     x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
     x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
-    if not (may_touch(x2 - x1, y2 - y1, r1 + r2) and is_seen(first, query) and may_meet(first, second)):
+    if not (may_touch(x2 - x1, y2 - y1, r1 + r2) and is_seen(first, query) and may_collide(first, second)):
         return count
     wx, wy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
     overlap = overlap_ball(x1, y1, r1, x2, y2, r2, wx, wy)
@@ -194,17 +182,12 @@ def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table
     left, bottom, right, top = float(shape["left"]), float(shape["bottom"]), float(shape["right"]), float(shape["top"])
     if not boxes_overlap(left, bottom, right, top, x - radius, y - radius, x + radius, y + radius):
         return count
-    if not (is_seen(shape, query) and may_meet(shape, ball)):
+    if not (is_seen(shape, query) and may_collide(shape, ball)):
         return count
     vx, vy = float(ball["vx"]), float(ball["vy"])
     spin = acting_spin(shape)
     ux, uy = surface_velocity(shape, spin, x, y)
-    if shape["kind"] == GATE:
-        ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
-        extent, dx, dy = float(shape["length"]), float(shape["dx"]), float(shape["dy"])
-        overlap = overlap_gate(ax, ay, tx, ty, extent, dx, dy, x, y, radius, vx - ux, vy - uy)
-    else:
-        overlap = find_contact(shape, x, y, radius, vx - ux, vy - uy)
+    overlap = detect_contact(shape, x, y, radius, vx - ux, vy - uy)
     if overlap is None:
         return count
     px, py, nx, ny, setback = overlap

@@ -10,10 +10,10 @@ from math import fabs, sqrt
 
 from carom.constants import ROUNDING, SEARCH_CELLS_PER_ITEM, SEARCH_MARGIN, SEARCH_MARKS_PER_ITEM
 from carom.rows.ball import BallRow
+from carom.rows.kinds_near import distance_to_shape
 from carom.rows.query import SearchGridRow
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import distance_to_shape
 
 
 def item_box(shapes: Table[ShapeRow], balls: Table[BallRow], item: int) -> tuple[float, float, float, float]:

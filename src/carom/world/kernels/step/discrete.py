@@ -10,6 +10,8 @@ from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, SlotRow
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.pose import rest as let_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
@@ -35,14 +37,12 @@ from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
-from carom.world.kernels.continuous.surfaces import is_moving
 from carom.world.kernels.step.ending import finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_ball, move_shapes
 from carom.world.kernels.step.narrow import (
     balls_overlap,
     boxes_apart,
     keep_side,
-    may_collide,
     meet_ball,
     meet_sensing_ball,
     meet_shape,

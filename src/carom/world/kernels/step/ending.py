@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from carom.rows.ball import OF_WORLD, BallRow
-from carom.rows.contact import find_contact
 from carom.rows.hit import EXIT, HitRow
+from carom.rows.kinds import find_contact
+from carom.rows.kinds_near import distance_to_shape
+from carom.rows.masks import may_collide
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import DISCRETE, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import distance_to_shape
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.motion import slow_by_friction
-from carom.world.kernels.step.narrow import boxes_apart, may_collide
+from carom.world.kernels.step.narrow import boxes_apart
 from carom.world.kernels.step.relations import drop_relation
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, fabs, sin
+from math import cos, sin
 
 from carom.constants import (
     APPROACH_ROUNDING_SQUARED,
@@ -15,34 +15,26 @@ from carom.constants import (
     SEPARATION_SLACK,
     SIDE_ROOM,
 )
-from carom.geometry.arc import in_sector
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
-from carom.geometry.vector import cross, dot, larger, length, length_squared, rotated
+from carom.geometry.vector import dot, length, length_squared, rotated
 from carom.rows.ball import BallRow
-from carom.rows.contact import find_contact, gate_opens
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
-from carom.rows.pose import surface_velocity
+from carom.rows.kinds import depth_on_entry, find_contact, gap_at_rest, has_ends, in_reach, lets_pass
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING, RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
-from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, ShapeRow
+from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import DISCRETE, StateRow
-from carom.rows.tables import Numbered, Table
-from carom.world.kernels.continuous.surfaces import gap_at_rest, is_moving
+from carom.rows.tables import Table
 from carom.world.kernels.step.hits import record_hit, write_hit
 from carom.world.kernels.step.motion import rouse, wake
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.kernels.step.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
-
-
-def may_collide(first: Numbered, second: Numbered) -> bool:
-    """True if neither of two rows is switched off and each one's layer is in the other's mask."""
-    if first["can_collide"] == 0 or second["can_collide"] == 0:
-        return False
-    return bool(first["layer"] & second["collides_with"]) and bool(second["layer"] & first["collides_with"])
 
 
 def boxes_apart(ball: BallRow, shape: ShapeRow) -> bool:
@@ -56,18 +48,9 @@ def boxes_apart(ball: BallRow, shape: ShapeRow) -> bool:
     )
 
 
-def in_reach(shape: ShapeRow, x: float, y: float, radius: float) -> bool:
+def is_between_ends(shape: ShapeRow, x: float, y: float, radius: float) -> bool:
     """True if the centre of a ball at (x, y) is in the slab of a segment or the sector of an arc, or just past them."""
-    ax, ay = float(shape["ax"]), float(shape["ay"])
-    if shape["kind"] == ARC:
-        cx, cy = float(shape["cx"]), float(shape["cy"])
-        if in_sector(ax - cx, ay - cy, float(shape["bx"]) - cx, float(shape["by"]) - cy, x - cx, y - cy):
-            return True
-    else:
-        along = dot(x - ax, y - ay, float(shape["tx"]), float(shape["ty"]))
-        if 0.0 <= along <= float(shape["length"]):
-            return True
-    return gap_at_rest(shape, x, y, radius, 0.0, 0.0, END_SLOP * radius) is not None
+    return in_reach(shape, x, y) or gap_at_rest(shape, x, y, radius, 0.0, 0.0, END_SLOP * radius) is not None
 
 
 def contact_past_end(
@@ -77,8 +60,7 @@ def contact_past_end(
 
     So no ball gets between two that continue each other, where rounding or the least bend leaves a gap.
     """
-    kind = shape["kind"]
-    if kind == POINT or kind == CIRCLE:
+    if not has_ends(shape["kind"]):
         return None
     found = gap_at_rest(shape, x, y, radius, wx, wy, END_SLOP * radius)
     if found is None:
@@ -100,40 +82,6 @@ def seen_from(shape: ShapeRow, x: float, y: float) -> tuple[float, float]:
     return to_x + dx, to_y + dy
 
 
-def depth_on_entry(shape: ShapeRow, radius: float, from_x: float, from_y: float, to_x: float, to_y: float) -> float:
-    """How deep a ball overlapped a segment's line or an arc's circle while its centre came into the slab or sector.
-
-    `from` is outside of that, `to` in it, and the way straight; the lesser of the depths at its beginning and where it
-    crosses the edge. Below 0 where the ball was clear of the shape: it met it on this very way.
-    """
-    ax, ay = float(shape["ax"]), float(shape["ay"])
-    if shape["kind"] == ARC:
-        cx, cy = float(shape["cx"]), float(shape["cy"])
-        x0, y0, x1, y1 = from_x - cx, from_y - cy, to_x - cx, to_y - cy
-        start = crossing_share(ax - cx, ay - cy, x0, y0, x1, y1)
-        end = crossing_share(float(shape["bx"]) - cx, float(shape["by"]) - cy, x0, y0, x1, y1)
-        share = larger(start, end)
-        gap = fabs(length(x0, y0) - float(shape["radius"]))
-        gap_at_edge = fabs(length(x0 + share * (x1 - x0), y0 + share * (y1 - y0)) - float(shape["radius"]))
-        return radius - larger(gap, gap_at_edge)
-    tx, ty = float(shape["tx"]), float(shape["ty"])
-    along = dot(from_x - ax, from_y - ay, tx, ty)
-    way = dot(to_x - from_x, to_y - from_y, tx, ty)
-    edge = 0.0 if along < 0.0 else float(shape["length"])
-    share = (edge - along) / way if fabs(edge - along) < fabs(way) else 1.0
-    side = cross(tx, ty, from_x - ax, from_y - ay)
-    return radius - larger(fabs(side), fabs(side + share * cross(tx, ty, to_x - from_x, to_y - from_y)))
-
-
-def crossing_share(ax: float, ay: float, x0: float, y0: float, x1: float, y1: float) -> float:
-    """The share of the way from (x0, y0) to (x1, y1) at which it crosses the ray along a; 0 where it does not."""
-    before, after = cross(ax, ay, x0, y0), cross(ax, ay, x1, y1)
-    if (before > 0.0) == (after > 0.0):
-        return 0.0
-    share = before / (before - after)
-    return share if dot(ax, ay, x0 + share * (x1 - x0), y0 + share * (y1 - y0)) >= 0.0 else 0.0
-
-
 def starts_passing(
     shape: ShapeRow, ball: BallRow, setback: float, moved: bool, from_x: float, from_y: float, to_x: float, to_y: float
 ) -> bool:
@@ -144,17 +92,16 @@ def starts_passing(
     was clear of the shape before or when its centre came into the slab or sector: a ball that falls fast onto a joint
     has done nothing else.
     """
-    kind = shape["kind"]
     if not moved:
-        return kind == GATE and gate_opens(shape, float(ball["x"]), float(ball["y"]))
-    if kind != SEGMENT and kind != GATE and kind != ARC:
+        return lets_pass(shape, float(ball["x"]), float(ball["y"]))
+    if not has_ends(shape["kind"]):
         return False
     x, y = seen_from(shape, from_x, from_y)
-    if kind == GATE and gate_opens(shape, x, y):
+    if lets_pass(shape, x, y):
         return True
     radius = float(ball["radius"])
     least = END_DEPTH_DISCRETE * radius
-    if setback <= least or in_reach(shape, x, y, radius) or not in_reach(shape, to_x, to_y, radius):
+    if setback <= least or is_between_ends(shape, x, y, radius) or not is_between_ends(shape, to_x, to_y, radius):
         return False
     return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
 

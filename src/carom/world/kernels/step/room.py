@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 from carom.constants import END_SLOP, PUSH_MARGIN, SIDE_ROOM
 from carom.geometry.circle import circle_contains
-from carom.geometry.line import distance_to_segment
-from carom.geometry.reach import in_wide_sector
-from carom.geometry.vector import cross, dot, larger, length, smaller
+from carom.geometry.vector import dot, larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.contact import find_contact, gate_opens, may_meet
 from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import find_contact, has_side, lets_pass
+from carom.rows.kinds_near import crosses_side
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
 from carom.rows.relation import PASSING, RelationRow
-from carom.rows.shape import ARC, CIRCLE, GATE, POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import cell_span, locate
-from carom.world.kernels.continuous.surfaces import is_moving
 from carom.world.kernels.step.relations import find_relation
 
 #: Cosine between the normals of two shapes at a ball: one pushes it onto the other if the angle is larger.
@@ -81,7 +79,7 @@ def barrier_of(
         return FREE
     if not holds_back(ball, shape, still) or find_relation(relations, ball, PASSING, row):
         return FREE
-    if shape["kind"] == POINT or (shape["kind"] == GATE and gate_opens(shape, x, y)):
+    if not has_side(shape["kind"]) or lets_pass(shape, x, y):
         return FREE
     if crosses_side(shape, x, y, dx, dy, END_SLOP * radius):
         return ACROSS
@@ -107,52 +105,7 @@ def holds_back(ball: BallRow, shape: ShapeRow, still: bool) -> bool:
     """True if a shape is in the way of a ball at all; one that moves is not in the way of a push by one that stands."""
     if shape["sensor"] != 0 or ball["sensor"] != 0 or (still and is_moving(shape)):
         return False
-    return may_meet(ball, shape)
-
-
-def crosses_side(shape: ShapeRow, x: float, y: float, dx: float, dy: float, slop: float) -> bool:
-    """True if the way from (x, y) by (dx, dy) crosses a segment, gate, arc or perimeter, or comes into a solid circle.
-
-    What begins on a shape does not cross it. The ends reach `slop` far.
-    """
-    kind = shape["kind"]
-    if kind == CIRCLE:
-        return crosses_circle(shape, x, y, dx, dy)
-    if kind == ARC:
-        return crosses_arc(shape, x, y, dx, dy, slop)
-    ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
-    before, after = cross(tx, ty, x - ax, y - ay), cross(tx, ty, x + dx - ax, y + dy - ay)
-    if before == 0.0 or (before > 0.0 and after > 0.0) or (before < 0.0 and after < 0.0):
-        return False
-    share = before / (before - after)
-    along = dot(x + share * dx - ax, y + share * dy - ay, tx, ty)
-    return bool(-slop <= along <= float(shape["length"]) + slop)
-
-
-def crosses_circle(shape: ShapeRow, x: float, y: float, dx: float, dy: float) -> bool:
-    """True if the way from (x, y) by (dx, dy) comes into a circle, or leaves one that is not solid."""
-    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    away = length(x - cx, y - cy)
-    if away < r:
-        return bool(shape["solid"] == 0 and length(x + dx - cx, y + dy - cy) >= r)
-    return away > r and distance_to_segment(x, y, x + dx, y + dy, cx, cy) < r
-
-
-def crosses_arc(shape: ShapeRow, x: float, y: float, dx: float, dy: float, slop: float) -> bool:
-    """True if the way from (x, y) by (dx, dy) crosses an arc: its circle, within the sector."""
-    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-    ax, ay, bx, by = float(shape["ax"]) - cx, float(shape["ay"]) - cy, float(shape["bx"]) - cx, float(shape["by"]) - cy
-    x, y = x - cx, y - cy
-    away = length(x, y)
-    squared, along = dx * dx + dy * dy, dot(x, y, dx, dy)
-    within = along * along - squared * (away - r) * (away + r)
-    if away == r or squared == 0.0 or within < 0.0:
-        return False
-    root = sqrt(within)
-    for share in ((-along - root) / squared, (-along + root) / squared):
-        if 0.0 < share <= 1.0 and in_wide_sector(ax, ay, bx, by, x + share * dx, y + share * dy, slop * r):
-            return True
-    return False
+    return may_collide(ball, shape)
 
 
 def pressed_depth(
@@ -182,6 +135,6 @@ def pressed_depth(
             if contact is None or find_relation(relations, ball, PASSING, row):
                 continue
             _px, _py, mx, my, depth = contact
-            if dot(nx, ny, mx, my) < OPPOSITE and (shape["kind"] != GATE or not gate_opens(shape, x, y)):
+            if dot(nx, ny, mx, my) < OPPOSITE and not lets_pass(shape, x, y):
                 deepest = larger(deepest, depth)
     return deepest

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from carom.constants import END_SLOP, SEAM_REACH, SEPARATION_SLACK
-from carom.geometry.vector import cross, length
+from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import gap_at_rest, has_side
+from carom.rows.kinds_near import height_over
+from carom.rows.masks import may_collide
 from carom.rows.relation import PASSING, RelationRow
-from carom.rows.shape import CIRCLE, GATE, POINT, SEGMENT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.broad_phase.shape_index import cell_span, locate
-from carom.world.kernels.continuous.surfaces import gap_at_rest
-from carom.world.kernels.step.narrow import may_collide, overlap_with, starts_passing
+from carom.world.kernels.step.narrow import overlap_with, starts_passing
 from carom.world.kernels.step.relations import find_relation
 
 
@@ -35,7 +37,7 @@ def overlap_beside_walls(
 
     None also with a point that yields to a wall. The rest is as in `starts_passing`.
     """
-    if shape["kind"] == POINT and yields_to_wall(
+    if not has_side(shape["kind"]) and yields_to_wall(
         state, ball, shape, shapes, index, cells, members, relations, moved, from_x, from_y, to_x, to_y
     ):
         return None
@@ -72,7 +74,7 @@ def yields_to_wall(
         while k < end:
             row = int(members[k])
             k += 1
-            if shapes[row]["kind"] != POINT and wall_takes_ball(
+            if has_side(shapes[row]["kind"]) and wall_takes_ball(
                 ball, point, shapes[row], row, relations, moved, from_x, from_y, to_x, to_y
             ):
                 state["full_tests"] += 1
@@ -108,15 +110,3 @@ def wall_takes_ball(
     if find_relation(relations, ball, PASSING, row):
         return False
     return not starts_passing(wall, ball, 0.0 - gap, moved, from_x, from_y, to_x, to_y)
-
-
-def height_over(wall: Row, x: float, y: float, qx: float, qy: float) -> float:
-    """How far a place q stands out of a wall's line or circle, on the side on which a ball at (x, y) is."""
-    if wall["kind"] == SEGMENT or wall["kind"] == GATE:
-        ax, ay, tx, ty = float(wall["ax"]), float(wall["ay"]), float(wall["tx"]), float(wall["ty"])
-        over = cross(tx, ty, qx - ax, qy - ay)
-        return over if cross(tx, ty, x - ax, y - ay) >= 0.0 else -over
-    cx, cy, radius = float(wall["cx"]), float(wall["cy"]), float(wall["radius"])
-    outside = length(qx - cx, qy - cy) - radius
-    within = length(x - cx, y - cy) < radius and not (wall["kind"] == CIRCLE and wall["solid"] != 0)
-    return -outside if within else outside

@@ -1,0 +1,81 @@
+"""The gap between a ball and a shape, and the normal there: `gap_<kind>` for each kind of shape.
+
+The shape's numbers come first, then the ball's centre `x, y`, its `radius`, and `wx, wy`, its velocity relative to the
+shape, which decides the normal where the centre lies on the shape. Each returns `(gap, nx, ny)`: how far the ball is
+from the shape, negative where they overlap, and the unit normal from the shape to the ball. One that lies beyond the
+ends of a shape by more than `slop` has no gap: None. A point is a solid circle of radius 0.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from carom.geometry.reach import in_wide_sector
+from carom.geometry.vector import dot, length
+
+
+def gap_segment(
+    ax: float,
+    ay: float,
+    tx: float,
+    ty: float,
+    extent: float,
+    x: float,
+    y: float,
+    radius: float,
+    wx: float,
+    wy: float,
+    slop: float,
+) -> tuple[float, float, float] | None:
+    """The gap to the segment of length `extent` from a along the unit vector t, on the side that the ball is on."""
+    dx, dy = x - ax, y - ay
+    along = dot(dx, dy, tx, ty)
+    if along < -slop or along > extent + slop:
+        return None
+    side = tx * dy - ty * dx
+    if side < 0.0 or (side == 0.0 and tx * wy - ty * wx > 0.0):
+        return -side - radius, ty, -tx
+    return side - radius, -ty, tx
+
+
+def gap_circle(
+    cx: float, cy: float, r: float, solid: int, x: float, y: float, radius: float, wx: float, wy: float
+) -> tuple[float, float, float]:
+    """The gap to the circle of radius r about c, from outside or, unless it is solid, from inside."""
+    dx, dy = x - cx, y - cy
+    away = length(dx, dy)
+    if away == 0.0:
+        nx, ny = against(wx, wy)
+        return (r if solid == 0 else -r) - radius, nx, ny
+    if solid == 0 and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0)):
+        return r - away - radius, -dx / away, -dy / away
+    return away - r - radius, dx / away, dy / away
+
+
+def gap_arc(
+    cx: float,
+    cy: float,
+    r: float,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    x: float,
+    y: float,
+    radius: float,
+    wx: float,
+    wy: float,
+    slop: float,
+) -> tuple[float, float, float] | None:
+    """The gap to the arc of radius r about c from its end a to its end b."""
+    if not in_wide_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy, slop * r):
+        return None
+    return gap_circle(cx, cy, r, 0, x, y, radius, wx, wy)
+
+
+def against(wx: float, wy: float) -> tuple[float, float]:
+    """The unit vector against a velocity, or (0, 1) where there is none."""
+    speed = sqrt(wx * wx + wy * wy)
+    if speed == 0.0:
+        return 0.0, 1.0
+    return -wx / speed, -wy / speed

@@ -1,0 +1,106 @@
+"""Which function answers which question for which kind of shape: what is near to a shape, and what lies in a box."""
+
+from __future__ import annotations
+
+from math import inf
+
+from carom.geometry.aabb import box_contains
+from carom.geometry.arc import closest_on_arc, distance_to_arc
+from carom.geometry.boxes import box_meets_arc, box_meets_circle, box_meets_segment
+from carom.geometry.circle import closest_on_disc, distance_to_circle
+from carom.geometry.crossing import crosses_arc, crosses_circle, crosses_segment
+from carom.geometry.line import closest_on_segment, distance_to_segment
+from carom.geometry.vector import cross, length
+from carom.rows.kinds import is_straight
+from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
+
+
+def distance_to_shape(shape: ShapeRow, x: float, y: float) -> float:
+    """The distance from (x, y) to the nearest place of the shape, its ends included; 0 inside a solid circle.
+
+    Not that to the closest point, whose rounding would drown a small distance. Infinite for an unknown kind.
+    """
+    kind = shape["kind"]
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    if kind == POINT:
+        return length(x - cx, y - cy)
+    if kind == CIRCLE:
+        return distance_to_circle(cx, cy, radius, int(shape["solid"]), x, y)
+    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+    if is_straight(kind):
+        return distance_to_segment(ax, ay, bx, by, x, y)
+    if kind == ARC:
+        return distance_to_arc(cx, cy, radius, ax, ay, bx, by, x, y)
+    return inf
+
+
+def closest_on_shape(shape: ShapeRow, x: float, y: float) -> tuple[float, float, bool]:
+    """The point of a shape nearest to (x, y), and whether that is inside of it; infinitely far for an unknown kind."""
+    kind = shape["kind"]
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    if kind == POINT:
+        return cx, cy, False
+    if kind == CIRCLE:
+        px, py, inside = closest_on_disc(cx, cy, radius, x, y)
+        return px, py, inside and shape["solid"] != 0
+    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+    if is_straight(kind):
+        px, py = closest_on_segment(ax, ay, bx, by, x, y)
+        return px, py, False
+    if kind == ARC:
+        px, py = closest_on_arc(cx, cy, radius, ax, ay, bx, by, x, y)
+        return px, py, False
+    return inf, inf, False
+
+
+def box_meets_shape(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> bool:
+    """True if a shape has a point in common with a box; a shape of an unknown kind has none."""
+    kind = shape["kind"]
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    if kind == POINT:
+        return box_contains(left, bottom, right, top, cx, cy)
+    if kind == CIRCLE:
+        return box_meets_circle(left, bottom, right, top, cx, cy, radius, int(shape["solid"]))
+    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+    if is_straight(kind):
+        return box_meets_segment(left, bottom, right, top, ax, ay, bx, by)
+    if kind == ARC:
+        return box_meets_arc(left, bottom, right, top, cx, cy, radius, ax, ay, bx, by)
+    return False
+
+
+def height_over(shape: ShapeRow, x: float, y: float, qx: float, qy: float) -> float:
+    """How far a place q stands out of a shape's line or circle, on the side on which a ball at (x, y) is.
+
+    Infinitely far for a point and for an unknown kind, which have no sides.
+    """
+    kind = shape["kind"]
+    if is_straight(kind):
+        ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
+        over = cross(tx, ty, qx - ax, qy - ay)
+        return over if cross(tx, ty, x - ax, y - ay) >= 0.0 else -over
+    if kind == CIRCLE or kind == ARC:
+        cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+        outside = length(qx - cx, qy - cy) - radius
+        within = length(x - cx, y - cy) < radius and not (kind == CIRCLE and shape["solid"] != 0)
+        return -outside if within else outside
+    return inf
+
+
+def crosses_side(shape: ShapeRow, x: float, y: float, dx: float, dy: float, slop: float) -> bool:
+    """True if the way from (x, y) by (dx, dy) crosses a segment, gate, arc or perimeter, or comes into a solid circle.
+
+    What begins on a shape does not cross it. The ends reach `slop` far. A point has no side.
+    """
+    kind = shape["kind"]
+    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    if kind == CIRCLE:
+        return crosses_circle(cx, cy, radius, int(shape["solid"]), x, y, dx, dy)
+    ax, ay = float(shape["ax"]), float(shape["ay"])
+    if is_straight(kind):
+        tx, ty = float(shape["tx"]), float(shape["ty"])
+        return crosses_segment(ax, ay, tx, ty, float(shape["length"]), x, y, dx, dy, slop)
+    if kind == ARC:
+        bx, by = float(shape["bx"]), float(shape["by"])
+        return crosses_arc(cx, cy, radius, ax, ay, bx, by, x, y, dx, dy, slop)
+    return False
