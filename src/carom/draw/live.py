@@ -11,8 +11,9 @@ from carom.draw.paint.raster import RasterPainter
 from carom.draw.parts.cells import partition_of
 from carom.draw.parts.frame import LEAST_SIDE, MOST_SIDE, Frame
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
-from carom.draw.parts.looks import LOOKS, ends_of, look_now, material_of
+from carom.draw.parts.looks import LOOKS, look_now, material_of
 from carom.draw.parts.moment import Balls, Drawn, Measures, Moment
+from carom.draw.parts.outlines import ends_of
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import Picture, weight_for
 from carom.draw.theme import BALL_INKS, ThemeName

@@ -17,9 +17,10 @@ from carom.draw.parts.frame import MARGIN, Frame
 from carom.draw.parts.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.legend import facts, legend, remarks
-from carom.draw.parts.looks import LOOKS, Look, ends_of, look_of
+from carom.draw.parts.looks import LOOKS, Look, look_of
 from carom.draw.parts.moment import STRONG, Balls, Drawn, Measures, Moment
 from carom.draw.parts.names import draw_moving_names, draw_shape_names
+from carom.draw.parts.outlines import ends_of, has_sector, open_way
 from carom.draw.parts.panel import Panel
 from carom.draw.parts.scenery import (
     draw_ball_boxes,
@@ -29,12 +30,10 @@ from carom.draw.parts.scenery import (
     draw_shapes,
     draw_tracks,
     draw_velocities,
-    open_way,
 )
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.record.members import names_in, parts
 from carom.shapes.aabb import Aabb
-from carom.shapes.arc import Arc
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
@@ -254,7 +253,7 @@ def composed(
         Layer.TANGENTS: unhit,
         Layer.BOXES: bare and len(balls.ids) == 0,
         Layer.VELOCITIES: len(balls.ids) == 0,
-        Layer.SECTORS: not any(isinstance(one.shape, Arc) for one in drawn),
+        Layer.SECTORS: not any(has_sector(one.shape) for one in drawn),
         Layer.CELLS: len(cells) == 0,
     }
     shown = [layer for layer in layers if layer not in empty and not absent.get(layer)]

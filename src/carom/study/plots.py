@@ -6,17 +6,17 @@ Each takes a `Recording`, draws into `axes`, or into a new figure where there ar
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import non_negative, refuse, whole
+from carom.checks import Vector, non_negative, refuse, whole
+from carom.draw.paint.painter import Style
+from carom.draw.parts.outlines import line_mark
 from carom.extras import needed
 from carom.record.members import hits_by_label
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
-from carom.shapes.segment import Segment
 from carom.spelling import spelled
 from carom.world.hits import HitKind
 
@@ -182,13 +182,30 @@ def _extent(recording: Recording, places: Floats) -> tuple[float, float, float, 
 
 def _outline(recording: Recording, axes: Axes) -> None:
     """Draw the lines of all shapes as they stood at the beginning."""
-    patches: Any = needed("matplotlib.patches", "matplotlib", "study", "plots")
+    lines = _AxesLines(axes, needed("matplotlib.patches", "matplotlib", "study", "plots"))
     for shape in recording.shapes_at(0):
-        if isinstance(shape, Segment):
-            axes.plot(*zip(shape.p0, shape.p1, strict=True), color=OUTLINE, linewidth=1.0)
-        elif isinstance(shape, Arc):
-            angles = (np.degrees(shape.start_angle), np.degrees(shape.end_angle))
-            size = 2.0 * shape.radius
-            axes.add_patch(patches.Arc(shape.center, size, size, theta1=angles[0], theta2=angles[1], color=OUTLINE))
-        elif isinstance(shape, Circle):
-            axes.add_patch(patches.Circle(shape.center, shape.radius, fill=False, color=OUTLINE))
+        line_mark(lines, shape, Style(OUTLINE, width=1.0))
+
+
+@dataclass(frozen=True)
+class _AxesLines:
+    """What draws the outlines of shapes on axes, with the patches of matplotlib."""
+
+    axes: Axes
+    patches: Any
+
+    def segment(self, start: Vector, end: Vector, style: Style) -> None:
+        """Draw a straight line."""
+        self.axes.plot(*zip(start, end, strict=True), color=style.stroke, linewidth=style.width)
+
+    def circle(self, center: Vector, radius: float, style: Style) -> None:
+        """Draw a circle."""
+        self.axes.add_patch(self.patches.Circle(center, radius, fill=False, color=style.stroke))
+
+    def arc(self, center: Vector, radius: float, start_angle: float, end_angle: float, style: Style) -> None:
+        """Draw the part of a circle counterclockwise from one angle to another."""
+        angles = np.degrees((start_angle, end_angle))
+        size = 2.0 * radius
+        self.axes.add_patch(
+            self.patches.Arc(center, size, size, theta1=angles[0], theta2=angles[1], color=style.stroke)
+        )

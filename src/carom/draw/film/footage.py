@@ -13,8 +13,9 @@ from carom.draw.history.tracks import thinned
 from carom.draw.parts.cells import cells_of
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.legend import remarks, seconds
-from carom.draw.parts.looks import LOOKS, ends_of, look_now, material_of
+from carom.draw.parts.looks import LOOKS, look_now, material_of
 from carom.draw.parts.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of
+from carom.draw.parts.outlines import ends_of
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import MOST_SHARES, TRACK_TOLERANCE, box_around, composed
 from carom.draw.theme import BALL_INKS

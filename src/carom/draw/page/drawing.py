@@ -28,32 +28,27 @@ from carom.draw.parts.legend import (
     tangent_sample,
     track_sample,
 )
-from carom.draw.parts.looks import GATE, LOOKS, MOVING, SENSOR, rounded
+from carom.draw.parts.looks import LOOKS, MOVING, SENSOR, rounded
 from carom.draw.parts.marks import (
     BOX,
-    GLOW,
     LARGEST_HIT,
     NORMAL,
     SMALLEST_HIT,
     TANGENT,
     TRACK_WIDTH,
     VELOCITY,
-    arrow_mark,
     long_arrow_mark,
     pivot_mark,
     reticle_mark,
-    sector_mark,
-    shape_mark,
     track_style,
 )
 from carom.draw.parts.moment import LATEST
-from carom.draw.parts.names import AROUND, GAP, GROUND, LABEL, MOST_PLACES, anchor, shared_label
+from carom.draw.parts.names import AROUND, GAP, GROUND, LABEL, MOST_PLACES, shared_label
+from carom.draw.parts.outlines import GLOW, anchor, has_sector, sector_mark, shape_mark, sign_mark
 from carom.draw.parts.panel import GLYPH_WIDTH
-from carom.draw.parts.scenery import FAST_ARROW, SHORTEST_ARROW, draw_boxes, open_way
+from carom.draw.parts.scenery import FAST_ARROW, SHORTEST_ARROW, draw_boxes
 from carom.draw.picture import drawn_of
 from carom.shapes.aabb import Aabb
-from carom.shapes.arc import Arc
-from carom.shapes.gate import Gate
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -114,7 +109,7 @@ def draw_cast(painter: Painter, frame: Frame, cast: Cast, weight: float) -> None
     painter.layer(f"{Layer.BOXES} -1 on")
     draw_boxes(painter, [drawn for drawn in shapes if cast.movers[drawn.id] < 0])
     for drawn in shapes:
-        if isinstance(drawn.shape, Arc):
+        if has_sector(drawn.shape):
             painter.layer(f"{Layer.SECTORS} {drawn.id} on")
             sector_mark(painter, drawn.shape)
     draw_shapes(painter, frame, shapes, weight, "on")
@@ -130,9 +125,8 @@ def draw_shapes(painter: Painter, frame: Frame, shapes: Sequence[Drawn], weight:
     pivots = set()
     for drawn in shapes:
         painter.layer(f"{layer_of(drawn)} {drawn.id} {state} sign")
-        if isinstance(drawn.shape, Gate):
-            arrow_mark(painter, frame, drawn.shape.position, open_way(drawn.shape), GATE.style)
-        elif drawn.look is MOVING and rounded(drawn.shape.pivot) not in pivots:
+        sign_mark(painter, frame, drawn.shape)
+        if drawn.look is MOVING and rounded(drawn.shape.pivot) not in pivots:
             pivots.add(rounded(drawn.shape.pivot))
             pivot_mark(painter, frame, drawn.shape.pivot)
 

@@ -44,11 +44,8 @@ class Lettering:
     anchor: Anchor = "start"
 
 
-class Painter(Protocol):
-    """What can be drawn on. Later marks lie over earlier ones."""
-
-    def layer(self, name: str) -> None:
-        """Begin the layer `name`: all marks up to the next call belong to it."""
+class Lines(Protocol):
+    """What outlines of shapes can be drawn on."""
 
     def segment(self, start: Vector, end: Vector, style: Style) -> None:
         """Draw a straight line."""
@@ -58,6 +55,13 @@ class Painter(Protocol):
 
     def arc(self, center: Vector, radius: float, start_angle: float, end_angle: float, style: Style) -> None:
         """Draw the part of a circle counterclockwise from `start_angle` to `end_angle` (radians)."""
+
+
+class Painter(Lines, Protocol):
+    """What can be drawn on. Later marks lie over earlier ones."""
+
+    def layer(self, name: str) -> None:
+        """Begin the layer `name`: all marks up to the next call belong to it."""
 
     def polyline(self, points: Points, style: Style) -> None:
         """Draw a line through `points`, (n, 2); with a fill, the closed area that they bound."""

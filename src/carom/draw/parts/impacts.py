@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import pi
 from typing import TYPE_CHECKING
 
-from carom.draw.parts.marks import NORMAL, TANGENT, faded, glow_mark, hit_mark, long_arrow_mark, reticle_mark
+from carom.draw.parts.marks import NORMAL, TANGENT, faded, hit_mark, long_arrow_mark, reticle_mark
 from carom.draw.parts.moment import LATEST
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
-from carom.shapes.segment import Segment
+from carom.draw.parts.outlines import glow_mark, middle_of, tangents_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -65,8 +63,9 @@ def draw_tangents(painter: Painter, picture: Picture) -> None:
     """Draw the lines along the surface at the latest hits, or at the ends of shapes where no run is shown."""
     half = picture.frame.units(HALF_TANGENT)
     if not picture.of_run:
-        for place, (dx, dy) in shape_tangents(picture):
-            painter.segment(place, (place[0] + half * dx, place[1] + half * dy), TANGENT)
+        for shape in large_shapes(picture):
+            for place, (dx, dy) in tangents_of(shape):
+                painter.segment(place, (place[0] + half * dx, place[1] + half * dy), TANGENT)
         return
     for (x, y), (nx, ny), _, _, fresh in impacts(picture):
         painter.segment((x - half * ny, y + half * nx), (x + half * ny, y - half * nx), faded(TANGENT, fresh))
@@ -75,7 +74,7 @@ def draw_tangents(painter: Painter, picture: Picture) -> None:
 def draw_normals(painter: Painter, picture: Picture) -> None:
     """Draw arrows from the surface to the ball at the latest hits, or the normals of shapes where no run is shown."""
     if not picture.of_run:
-        for place, normal in shape_normals(picture):
+        for place, normal in filter(None, map(middle_of, large_shapes(picture))):
             long_arrow_mark(painter, picture.frame, place, normal, NORMAL_LENGTH, NORMAL)
         return
     for place, normal, _, _, fresh in impacts(picture):
@@ -88,36 +87,3 @@ def large_shapes(picture: Picture) -> Iterator[Shape]:
         box = drawn.shape.aabb
         if max(box.right - box.left, box.top - box.bottom) >= picture.frame.units(LEAST_EXTENT):
             yield drawn.shape
-
-
-def shape_normals(picture: Picture) -> Iterator[tuple[Vector, Vector]]:
-    """A place on each large shape, and the normal there: in the middle of segments and arcs, on top of circles."""
-    for shape in large_shapes(picture):
-        if isinstance(shape, Segment):
-            yield shape.position, shape.normal
-        elif isinstance(shape, Arc):
-            middle = shape.start_angle + 0.5 * ((shape.end_angle - shape.start_angle) % (2.0 * pi))
-            yield on_circle(shape.center, shape.radius, middle)
-        elif isinstance(shape, Circle):
-            yield on_circle(shape.center, shape.radius, 0.5 * pi)
-
-
-def shape_tangents(picture: Picture) -> Iterator[tuple[Vector, Vector]]:
-    """The ends of large segments and arcs, and the tops of circles, and the tangents there."""
-    for shape in large_shapes(picture):
-        if isinstance(shape, Segment):
-            yield shape.p0, shape.t1  # out of the segment, where they can be seen
-            yield shape.p1, shape.t0
-        elif isinstance(shape, Arc):
-            yield shape.p0, shape.t0
-            yield shape.p1, shape.t1
-        elif isinstance(shape, Circle):
-            (x, y), _ = on_circle(shape.center, shape.radius, 0.5 * pi)
-            yield (x, y), (1.0, 0.0)
-            yield (x, y), (-1.0, 0.0)
-
-
-def on_circle(center: Vector, radius: float, angle: float) -> tuple[Vector, Vector]:
-    """The point of a circle at an angle, and the outward normal there."""
-    c, s = cos(angle), sin(angle)
-    return (center[0] + radius * c, center[1] + radius * s), (c, s)

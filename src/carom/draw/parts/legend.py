@@ -20,14 +20,13 @@ from carom.draw.parts.marks import (
     arrow_mark,
     ball_mark,
     box_mark,
-    glow_mark,
     hit_mark,
     long_arrow_mark,
     pivot_mark,
     reticle_mark,
-    sector_mark,
     track_style,
 )
+from carom.draw.parts.outlines import glow_mark, sector_mark
 from carom.draw.parts.panel import GLYPH_WIDTH
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc

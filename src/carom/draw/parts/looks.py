@@ -7,14 +7,10 @@ from typing import TYPE_CHECKING
 
 from carom.draw.paint.painter import Style
 from carom.rows.shape import Motion
-from carom.shapes.arc import Arc
 from carom.shapes.gate import Gate
 from carom.shapes.point import Point
-from carom.shapes.segment import Segment
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from carom.draw.paint.painter import Vector
     from carom.shapes.shape import Shape
 
@@ -77,13 +73,6 @@ def material_of(shape: Shape, ends: frozenset[Vector]) -> Look:
     if shape.kick > 0.0 or shape.elasticity > 1.0:
         return BUMPER
     return POST if isinstance(shape, Point) else WALL
-
-
-def ends_of(shapes: Iterable[Shape]) -> frozenset[Vector]:
-    """The ends of segments, gates and arcs, rounded."""
-    return frozenset(
-        rounded(end) for shape in shapes if isinstance(shape, Segment | Arc) for end in (shape.p0, shape.p1)
-    )
 
 
 def rounded(position: Vector) -> Vector:

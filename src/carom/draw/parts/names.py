@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from carom.draw.paint.painter import Lettering, Style
+from carom.draw.parts.outlines import anchor
 from carom.draw.parts.panel import CHARACTER_WIDTH
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -78,16 +76,6 @@ def shared_label(name: str, members: Iterable[Shape]) -> str:
     """The words for all shapes of one name: it, and how many there are, the parts of a compound being one."""
     count = len({id(shape if shape.compound is None else shape.compound) for shape in members})
     return name if count == 1 else f"{name} \N{MULTIPLICATION SIGN} {count}"
-
-
-def anchor(shape: Shape) -> Vector:
-    """The point of a shape that its name stands beside."""
-    if isinstance(shape, Arc):
-        middle = shape.start_angle + 0.5 * ((shape.end_angle - shape.start_angle) % (2.0 * pi))
-        return shape.center[0] + shape.radius * cos(middle), shape.center[1] + shape.radius * sin(middle)
-    if isinstance(shape, Circle) and not shape.solid:
-        return shape.center[0], shape.center[1] + shape.radius
-    return shape.position
 
 
 def placed(

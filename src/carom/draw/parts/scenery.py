@@ -6,21 +6,17 @@ from typing import TYPE_CHECKING
 
 from carom.draw.history.tracks import BANDS, bands
 from carom.draw.parts.frame import MARGIN
-from carom.draw.parts.looks import GATE, MOVING, SENSOR, rounded
+from carom.draw.parts.looks import MOVING, SENSOR, rounded
 from carom.draw.parts.marks import (
     VELOCITY,
-    arrow_mark,
     ball_mark,
     box_mark,
     long_arrow_mark,
     pivot_mark,
-    sector_mark,
-    shape_mark,
     track_style,
 )
+from carom.draw.parts.outlines import sector_mark, shape_mark, sign_mark
 from carom.shapes.aabb import Aabb
-from carom.shapes.arc import Arc
-from carom.shapes.gate import Gate
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -43,16 +39,9 @@ def draw_shapes(painter: Painter, picture: Picture, shapes: Iterable[Drawn], *, 
     for drawn in chosen:
         shape_mark(painter, picture.frame, drawn.shape, drawn.look, picture.weight)
     for drawn in chosen:
-        if isinstance(drawn.shape, Gate):
-            arrow_mark(painter, picture.frame, drawn.shape.position, open_way(drawn.shape), GATE.style)
+        sign_mark(painter, picture.frame, drawn.shape)
     for pivot in dict.fromkeys(rounded(drawn.shape.pivot) for drawn in chosen if drawn.look is MOVING):
         pivot_mark(painter, picture.frame, pivot)
-
-
-def open_way(gate: Gate) -> Vector:
-    """The unit normal of `gate` on the side that it lets balls pass to, however slanted its direction is."""
-    (x, y), (dx, dy) = gate.normal, gate.direction
-    return (x, y) if x * dx + y * dy > 0.0 else (-x, -y)
 
 
 def draw_boxes(painter: Painter, shapes: Iterable[Drawn]) -> None:
@@ -74,8 +63,7 @@ def draw_ball_boxes(painter: Painter, picture: Picture) -> None:
 def draw_sectors(painter: Painter, shapes: Iterable[Drawn]) -> None:
     """Draw the sectors of the arcs among some shapes."""
     for drawn in shapes:
-        if isinstance(drawn.shape, Arc):
-            sector_mark(painter, drawn.shape)
+        sector_mark(painter, drawn.shape)
 
 
 def draw_balls(painter: Painter, picture: Picture) -> None:
