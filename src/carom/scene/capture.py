@@ -4,20 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from copy import copy
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 from carom.rows.shape import Motion
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.shape_descriptors import (
     PART_IS_SILENT_ON,
-    ArcDescriptor,
-    CircleDescriptor,
     CompoundDescriptor,
-    GateDescriptor,
     MovingDescriptor,
     Part,
-    PointDescriptor,
-    SegmentDescriptor,
 )
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -26,13 +21,8 @@ from carom.shapes.shape import Shape
 if TYPE_CHECKING:
     from carom.world.world import World
 
-_DESCRIPTORS: dict[str, type[Part]] = {
-    "point": PointDescriptor,
-    "segment": SegmentDescriptor,
-    "gate": GateDescriptor,
-    "circle": CircleDescriptor,
-    "arc": ArcDescriptor,
-}
+#: The descriptors of shapes, by the names of their kinds.
+_DESCRIPTORS: dict[str, type[Part]] = {one.model_fields["kind"].default: one for one in get_args(get_args(Part)[0])}
 
 
 def described(thing: Any) -> Any:

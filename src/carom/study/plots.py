@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import Vector, non_negative, refuse, whole
+from carom.checks import non_negative, refuse, whole
 from carom.draw.paint.painter import Style
 from carom.draw.parts.outlines import line_mark
 from carom.extras import needed
 from carom.record.members import hits_by_label
 from carom.spelling import spelled
+from carom.typing import Vector
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:

@@ -12,11 +12,13 @@ from carom.constants import SNAPSHOT_TOLERANCE, TWO_PI
 from carom.errors import InvalidArgument, SnapshotError
 from carom.rows.ball import BALL
 from carom.rows.hit import EXIT, HIT
+from carom.rows.kinds import is_straight
 from carom.rows.pose import derive
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING
-from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, SHAPE, STATIC, ShapeRow
+from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SHAPE, STATIC, ShapeRow
 from carom.rows.state import STATE
 from carom.rows.tables import Rows
+from carom.shapes import SHAPE_CLASSES
 from carom.shapes.compound import Compound
 from carom.world.removal import Relation
 from carom.world.settings import SETTINGS, Settings
@@ -104,7 +106,7 @@ def _check_balls(balls: Rows) -> None:
 def _check_shapes(shapes: Rows) -> None:
     """Nothing; raises where a shape is none that constructors and setters let through."""
     kinds, motions = shapes["kind"], shapes["motion"]
-    need((kinds <= ARC).all() and (motions <= KINEMATIC).all(), "shapes of unknown kinds")
+    need(np.isin(kinds, tuple(SHAPE_CLASSES)).all() and (motions <= KINEMATIC).all(), "shapes of unknown kinds")
     for field in SHAPE.names or ():
         if shapes[field].dtype.kind == "f":
             need(np.isfinite(shapes[field]).all(), "shapes that are not finite")
@@ -139,7 +141,7 @@ def _agrees(values: tuple[Any, ...]) -> bool:
     derive(cast(ShapeRow, derived))
     size = max(abs(row[field]) for field in ("left", "bottom", "right", "top", "radius", "length"))
     near = {name: SNAPSHOT_TOLERANCE * (1.0 if name in ("tx", "ty") else size) for name in row}
-    if row["kind"] in (SEGMENT, GATE) and (row["ax"], row["ay"]) == (row["bx"], row["by"]):
+    if is_straight(row["kind"]) and (row["ax"], row["ay"]) == (row["bx"], row["by"]):
         return False
     if row["kind"] == GATE and not isclose(row["dx"] ** 2 + row["dy"] ** 2, 1.0, abs_tol=SNAPSHOT_TOLERANCE):
         return False
