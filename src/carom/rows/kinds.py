@@ -107,6 +107,13 @@ def gap_at_rest(
     return None
 
 
+def bend_center(shape: ShapeRow) -> tuple[float, float] | None:
+    """The place about which a shape is bent, and a ball turns that slides along it; None for a straight one."""
+    if is_round(shape["kind"]):
+        return float(shape["cx"]), float(shape["cy"])
+    return None
+
+
 def in_reach(shape: ShapeRow, x: float, y: float) -> bool:
     """True if (x, y) is in the slab of a segment or the sector of an arc; kinds without ends have neither."""
     kind = shape["kind"]

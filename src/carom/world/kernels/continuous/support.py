@@ -26,7 +26,7 @@ from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
-from carom.rows.kinds import is_round, is_straight
+from carom.rows.kinds import bend_center
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
@@ -53,11 +53,10 @@ def holding_acceleration(
     ux = float(shape["velocity_x"]) if moving else 0.0
     uy = float(shape["velocity_y"]) if moving else 0.0
     px, py = float(shape["pivot_x"]) + ux * time, float(shape["pivot_y"]) + uy * time
-    if is_straight(shape["kind"]):
+    center = bend_center(shape)
+    if center is None:
         return spin * spin * dot(x - px, y - py, nx, ny) - 2.0 * spin * dot(vx - ux, vy - uy, -ny, nx)
-    if not is_round(shape["kind"]):
-        return 0.0
-    cx, cy = float(shape["cx"]), float(shape["cy"])
+    cx, cy = center
     if moving:
         cx, cy = out_of_frame(shape, time, cx, cy)
     dx, dy = x - cx, y - cy
@@ -143,7 +142,7 @@ def keep_energy(
     if held == NO_RELATION or flight["kind"] != FLYING:
         return
     shape = shapes[relations[held]["other"]]
-    if not is_round(shape["kind"]) or is_moving(shape):
+    if is_moving(shape) or bend_center(shape) is None:
         return
     vx, vy = float(ball["vx"]), float(ball["vy"])
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
@@ -354,7 +353,7 @@ def rest_on_one(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeR
             speed = -speed
         ball["vx"] = -ny * speed
         ball["vy"] = nx * speed
-        if is_round(shape["kind"]):
+        if bend_center(shape) is not None:
             x, y = float(ball["x"]), float(ball["y"])
             time = float(flight["time"])
             held = holding_acceleration(shape, time, x, y, float(ball["vx"]), float(ball["vy"]), nx, ny)
@@ -418,9 +417,12 @@ def turn_time(ball: BallRow, shape: ShapeRow) -> float:
     """The time in which a ball that slides along a shape, and the shape, turn by `SLIDE_TURN`; may be infinite."""
     vx, vy = float(ball["vx"]) - float(shape["velocity_x"]), float(ball["vy"]) - float(shape["velocity_y"])
     turns = fabs(float(shape["spin"])) if is_moving(shape) else 0.0
-    away = length(float(ball["x"]) - float(shape["cx"]), float(ball["y"]) - float(shape["cy"]))
-    if is_round(shape["kind"]) and away > 0.0:
-        turns += length(vx, vy) / away
+    center = bend_center(shape)
+    if center is not None:
+        cx, cy = center
+        away = length(float(ball["x"]) - cx, float(ball["y"]) - cy)
+        if away > 0.0:
+            turns += length(vx, vy) / away
     return SLIDE_TURN / turns if turns > 0.0 else inf
 
 
