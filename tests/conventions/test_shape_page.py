@@ -1,4 +1,4 @@
-"""The page on adding a shape names every file that a new kind touches, and no other: found in the sources' own trees."""
+"""The page on adding a shape names every file that a new kind touches, and no other: found in the sources' trees."""
 
 import ast
 import re
@@ -30,7 +30,7 @@ def imported(module: ast.Module, room: str) -> set[str]:
 
 
 def said(module: ast.Module) -> set[str]:
-    """The names and strings of a file, but for its annotations and for what it calls: to make a shape is to ask nothing."""
+    """The names and strings of a file but for its annotations and what it calls: who makes a shape asks nothing."""
     silent: set[int] = set()
     for node in ast.walk(module):
         annotations = [getattr(node, "annotation", None), getattr(node, "returns", None)]
