@@ -10,7 +10,7 @@ from math import fabs
 from carom.constants import ROUNDING
 from carom.geometry.angle import direction, sweep
 from carom.geometry.circle import closest_on_circle
-from carom.geometry.vector import cross, dot, length, length_squared, unit
+from carom.geometry.vector import cross, dot, length_squared, unit
 
 
 def in_sector(ax: float, ay: float, bx: float, by: float, x: float, y: float) -> bool:
@@ -91,12 +91,3 @@ def closest_on_arc(
     if length_squared(x - bx, y - by) < length_squared(x - ax, y - ay):
         return bx, by
     return ax, ay
-
-
-def distance_to_arc(
-    cx: float, cy: float, radius: float, ax: float, ay: float, bx: float, by: float, x: float, y: float
-) -> float:
-    """The distance from (x, y) to the arc about c from its end a to its end b."""
-    if in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy):
-        return fabs(length(x - cx, y - cy) - radius)
-    return min(length(x - ax, y - ay), length(x - bx, y - by))

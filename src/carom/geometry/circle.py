@@ -29,12 +29,6 @@ def closest_on_disc(cx: float, cy: float, radius: float, x: float, y: float) -> 
     return px, py, circle_contains(cx, cy, radius, x, y)
 
 
-def distance_to_circle(cx: float, cy: float, radius: float, solid: int, x: float, y: float) -> float:
-    """The distance from (x, y) to the circle's perimeter; 0 inside a solid one."""
-    outside = length(x - cx, y - cy) - radius
-    return max(outside, 0.0) if solid != 0 else fabs(outside)
-
-
 def tangent_points(cx: float, cy: float, radius: float, x: float, y: float) -> tuple[float, float, float, float] | None:
     """Where the two tangents through p = (x, y) touch the circle about c, as (x0, y0, x1, y1); None from inside.
 

@@ -1,16 +1,16 @@
-"""The gap between a ball and a shape, and the normal there: `gap_<kind>` for each kind of shape.
+"""The gap between a ball and a shape, and the normal there: `gap_<kind>`.
 
 The shape's numbers come first, then the ball's centre `x, y`, its `radius`, and `wx, wy`, its velocity relative to the
 shape, which decides the normal where the centre lies on the shape. Each returns `(gap, nx, ny)`: how far the ball is
 from the shape, negative where they overlap, and the unit normal from the shape to the ball. One that lies beyond the
-ends of a shape by more than `slop` has no gap: None. A point is a solid circle of radius 0.
+ends of a segment by more than `slop` has no gap: None. A point is a solid circle of radius 0, an arc a circle that is
+not solid, where the ball is in its sector.
 """
 
 from __future__ import annotations
 
 from math import sqrt
 
-from carom.geometry.reach import in_wide_sector
 from carom.geometry.vector import dot, length
 
 
@@ -39,38 +39,17 @@ def gap_segment(
 
 
 def gap_circle(
-    cx: float, cy: float, r: float, solid: int, x: float, y: float, radius: float, wx: float, wy: float
+    cx: float, cy: float, r: float, solid: bool, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float]:
     """The gap to the circle of radius r about c, from outside or, unless it is solid, from inside."""
     dx, dy = x - cx, y - cy
     away = length(dx, dy)
     if away == 0.0:
         nx, ny = against(wx, wy)
-        return (r if solid == 0 else -r) - radius, nx, ny
-    if solid == 0 and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0)):
+        return (-r if solid else r) - radius, nx, ny
+    if not solid and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0)):
         return r - away - radius, -dx / away, -dy / away
     return away - r - radius, dx / away, dy / away
-
-
-def gap_arc(
-    cx: float,
-    cy: float,
-    r: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    x: float,
-    y: float,
-    radius: float,
-    wx: float,
-    wy: float,
-    slop: float,
-) -> tuple[float, float, float] | None:
-    """The gap to the arc of radius r about c from its end a to its end b."""
-    if not in_wide_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy, slop * r):
-        return None
-    return gap_circle(cx, cy, r, 0, x, y, radius, wx, wy)
 
 
 def against(wx: float, wy: float) -> tuple[float, float]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import fabs, inf
 
 from carom.geometry.aabb import box_contains
-from carom.geometry.arc import closest_on_arc, distance_to_arc
+from carom.geometry.arc import closest_on_arc, in_sector
 from carom.geometry.boxes import box_meets_arc, box_meets_circle, box_meets_segment
-from carom.geometry.circle import closest_on_disc, distance_to_circle
+from carom.geometry.circle import closest_on_disc
 from carom.geometry.crossing import crosses_arc, crosses_circle, crosses_segment
 from carom.geometry.line import closest_on_segment, distance_to_segment
 from carom.geometry.vector import cross, length
@@ -21,16 +21,20 @@ def distance_to_shape(shape: ShapeRow, x: float, y: float) -> float:
     Not that to the closest point, whose rounding would drown a small distance. Infinite for an unknown kind.
     """
     kind = shape["kind"]
-    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     if kind == POINT:
-        return length(x - cx, y - cy)
-    if kind == CIRCLE:
-        return distance_to_circle(cx, cy, radius, int(shape["solid"]), x, y)
+        return length(x - float(shape["cx"]), y - float(shape["cy"]))
     ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
     if is_straight(kind):
         return distance_to_segment(ax, ay, bx, by, x, y)
-    if kind == ARC:
-        return distance_to_arc(cx, cy, radius, ax, ay, bx, by, x, y)
+    # The distance from a circle and an arc is written out: as functions of their own they cost the step 3 %.
+    if kind == CIRCLE or kind == ARC:
+        cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+        outside = length(x - cx, y - cy) - radius
+        if kind == CIRCLE:
+            return max(outside, 0.0) if shape["solid"] != 0 else fabs(outside)
+        if in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy):
+            return fabs(outside)
+        return min(length(x - ax, y - ay), length(x - bx, y - by))
     return inf
 
 
