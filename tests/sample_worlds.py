@@ -45,7 +45,7 @@ def crowded(balls: int = 12, seed: int = 0, **settings: Any) -> carom.World:
 
 
 def add_walls(world: carom.World) -> None:
-    """Nothing; puts a room with a gap in its upper wall into a world, and posts at its corners."""
+    """Put a room with a gap in its upper wall into a world, and posts at its corners."""
     corners = [(0.0, 0.0), (SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE)]
     walls = [carom.Segment(start, end) for start, end in zip(corners, [*corners[1:], corners[0]], strict=True)]
     walls[2] = carom.Segment((SIDE, SIDE), (4.0, SIDE))
@@ -54,7 +54,7 @@ def add_walls(world: carom.World) -> None:
 
 
 def add_furniture(world: carom.World) -> None:
-    """Nothing; puts one of everything into a room."""
+    """Put one of everything into a room."""
     world.add(carom.Circle((3.0, 3.0), 0.8, solid=True, kick=1.5, elasticity=1.1, name="bumper"))
     world.add(carom.Circle((9.0, 8.0), 1.5, sensor=True, solid=True, name="eye"))
     world.add(carom.Arc((6.0, 3.0), 1.5, 3.5, 5.9, name="cup"))
@@ -92,7 +92,7 @@ def named(world: carom.World, name: str) -> Any:
 
 
 def starve(world: carom.World) -> None:
-    """Nothing; takes all room from a world that its tables do not need right now, so that it has to grow again."""
+    """Take all room from a world that its tables do not need right now, so that it has to grow again."""
     room = world._room
     relations = world._room.states[0]["relations"]
     kept = _relations(world)
@@ -115,7 +115,7 @@ def _relations(world: carom.World) -> Any:
 
 
 def _put_back(world: carom.World, relations: Any) -> None:
-    """Nothing; gives a world its relations, in as little room as they need."""
+    """Give a world its relations, in as little room as they need."""
     from carom.world.removal import set_relations
 
     set_relations(world._room, relations)

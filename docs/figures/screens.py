@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pygame
 
-from carom.play.pinball.screen.app import PinballApp
 from carom.play.pinball.rules.game import Pinball
+from carom.play.pinball.screen.app import PinballApp
 from carom.play.pool.app import PoolApp
 from carom.play.toy.app import Toy
 from carom.play.window import Game, Window
@@ -16,7 +16,7 @@ FRAME = 1 / 60
 
 
 def keep(game: Game, keys: list[int], frames: int, path: Path, mouse: tuple[int, int] = (0, 0)) -> None:
-    """Nothing; plays a game for some frames after the mouse was moved and keys were pressed; writes what it shows."""
+    """Play a game for some frames after the mouse was moved and keys were pressed; write what it shows."""
     window = Window(game)
     window.frame(FRAME)
     pygame.event.post(pygame.event.Event(pygame.MOUSEMOTION, pos=mouse, rel=(1, 1), buttons=(0, 0, 0)))
@@ -29,7 +29,7 @@ def keep(game: Game, keys: list[int], frames: int, path: Path, mouse: tuple[int,
 
 
 def main(folder: Path) -> None:
-    """Nothing; writes the pictures into a folder."""
+    """Write the pictures into a folder."""
     for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
         os.environ[driver] = "dummy"
     keep(PinballApp(print, Pinball(seed=3)), [], 1500, folder / "pinball-game.jpg")

@@ -207,7 +207,7 @@ def _shaped(
 
 
 def _check_all(name: str, must: str, given: NDArray[Any], good: NDArray[np.bool_]) -> None:
-    """Nothing; raises for the first value that is not good, naming its place."""
+    """Raise for the first value that is not good, naming its place."""
     if not good.all():
         place = np.unravel_index(int(np.argmin(good)), given.shape)
         index = f"[{', '.join(str(int(number)) for number in place)}]" if place else ""

@@ -58,7 +58,7 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> li
 
 
 def prepare_index(world: World, reach: float) -> None:
-    """Nothing; makes the index of a world's shapes for balls up to a radius, as the next step would."""
+    """Make the index of a world's shapes for balls up to a radius, as the next step would."""
     room = world._room
     room.prepare()
     state = room.states[0]

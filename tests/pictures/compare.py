@@ -46,7 +46,7 @@ class Noting(draw.RasterPainter):
 
 
 def check(name: str, picture: draw.Picture, theme: draw.ThemeName, *, renew: bool, folder: Path) -> None:
-    """Nothing; fails unless a picture is the kept one of that name, or keeps it if it is to be renewed."""
+    """Fail unless a picture is the kept one of that name, or keep it if it is to be renewed."""
     painter = Noting(picture.frame, theme)
     picture.draw(painter)
     data = painter.png()

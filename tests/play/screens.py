@@ -24,7 +24,7 @@ LARGEST = 160_000
 
 
 def check(name: str, surface: pygame.Surface, *, renew: bool, folder: Path) -> None:
-    """Nothing; fails unless a screen is the kept one of that name, or keeps it if it is to be renewed."""
+    """Fail unless a screen is the kept one of that name, or keep it if it is to be renewed."""
     half = pygame.transform.smoothscale(surface.convert(24), [side // 2 for side in surface.get_size()])
     path = KEPT / f"{name}.png"
     made = path if renew else folder / f"{name}.png"

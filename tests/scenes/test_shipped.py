@@ -43,7 +43,7 @@ def energy(world: carom.World) -> float:
 
 
 def check(world: carom.World, name: str) -> None:
-    """Nothing; asserts what must hold at any time."""
+    """Assert what must hold at any time."""
     assert np.isfinite(world.balls.position).all()
     assert np.isfinite(world.balls.velocity).all()
     assert world.statistics.strays == 0

@@ -296,7 +296,7 @@ def test_bad_input_is_refused_by_name_and_changes_nothing(case: Case) -> None:
 
 
 def set_attribute(thing: Any, **values: Any) -> None:
-    """Nothing; sets attributes of an object."""
+    """Set attributes of an object."""
     for name, value in values.items():
         setattr(thing, name, value)
 

@@ -72,7 +72,7 @@ Size = Annotated[str | None, typer.Option(metavar="PIXELS", help="Size of a pict
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Nothing; runs the command line (of this process, or `arguments`) and raises `SystemExit` with its status."""
+    """Run the command line (of this process, or `arguments`) and raise `SystemExit` with its status."""
     try:
         # A command returns nothing; what comes back is the status of one that was ended early.
         status = app(arguments, prog_name="carom", standalone_mode=False)

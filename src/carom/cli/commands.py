@@ -41,7 +41,7 @@ def tell_version() -> None:
 
 
 def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> None:
-    """Nothing; runs a scene, prints what happened, writes the files."""
+    """Run a scene, print what happened, write the files."""
     source = find(scene)
     if source.recording is not None:
         raise Mistake(f"{scene}: is the recording of a run; carom show makes pictures of it")
@@ -70,7 +70,7 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
 
 
 def check_room(frames: int, balls: int, shapes: int) -> None:
-    """Nothing; raises `Mistake` where a recording would fill the memory."""
+    """Raise `Mistake` where a recording would fill the memory."""
     size = frames * (BYTES_OF_BALL * balls + shapes)
     if size > LARGEST_RECORDING:
         raise Mistake(f"a recording of this run would take {size / 1e9:,.0f} GB of memory; make --seconds less")
@@ -87,7 +87,7 @@ def steps_of(seconds: float, dt: float) -> int:
 
 
 def show(scene: str, out: Path | None, view: View, at: float | None) -> None:
-    """Nothing; writes a picture of a scene as it stands, or of a recorded run."""
+    """Write a picture of a scene as it stands, or of a recorded run."""
     source = find(scene)
     path = source.picture if out is None else out
     recording = source.recording
@@ -121,7 +121,7 @@ def still(source: Source, world: World, view: View) -> draw.Picture:
 
 
 def check(scene: str) -> None:
-    """Nothing; says that a scene is good, or raises `SceneError` with all its faults."""
+    """Say that a scene is good, or raise `SceneError` with all its faults."""
     source = find(scene)
     if source.recording is not None:
         frames, balls = (
@@ -136,12 +136,12 @@ def check(scene: str) -> None:
 
 
 def print_schema() -> None:
-    """Nothing; prints the JSON Schema of scene files."""
+    """Print the JSON Schema of scene files."""
     typer.echo(json.dumps(Scene.json_schema(), indent=2))
 
 
 def list_scenes() -> None:
-    """Nothing; prints the shipped scenes, a line each."""
+    """Print the shipped scenes, a line each."""
     table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
     for source in shipped():
         table.add_row(Text(source.name, style="bold"), Text(source.about))

@@ -46,7 +46,7 @@ INTERRUPTED = 130
 
 
 def check_extras(endings: Collection[str]) -> None:
-    """Nothing; raises `MissingExtra` where what some endings need is not installed."""
+    """Raise `MissingExtra` where what some endings need is not installed."""
     if not {PNG, *FILMS}.isdisjoint(endings):
         needed("pygame", "pygame-ce", "draw", "raster pictures")
     if not set(FILMS).isdisjoint(endings):
@@ -113,7 +113,7 @@ def writers_of_recording(recording: Recording, view: View) -> Writers:
 
 
 def write_all(paths: Sequence[Path], writers: Writers) -> None:
-    """Nothing; writes every file that can be written, says how large each is, and exits with 1 if any could not."""
+    """Write every file that can be written, say how large each is, and exit with 1 if any could not."""
     failed = False
     with promised(paths) as left:
         for path in paths:

@@ -19,12 +19,12 @@ CHARTS = (".svg", ".png", ".pdf")
 
 
 def tell(line: str) -> None:
-    """Nothing; says on stderr what a game has to say."""
+    """Say on stderr what a game has to say."""
     typer.echo(f"carom: {line}", err=True)
 
 
 def toy(seconds: float | None) -> None:
-    """Nothing; plays with the toy."""
+    """Play with the toy."""
     needed("pygame", "pygame-ce", "play", "games")
     needed("pygame_gui", "pygame_gui", "play", "panels of games")
     from carom.play.toy import run
@@ -33,7 +33,7 @@ def toy(seconds: float | None) -> None:
 
 
 def toy_chart(path: Path) -> None:
-    """Nothing; writes the chart of box tests, and prints its figures."""
+    """Write the chart of box tests, and print its figures."""
     outputs.check_outputs([path], CHARTS, None)
     needed("pygame", "pygame-ce", "play", "games")
     needed("pygame_gui", "pygame_gui", "play", "panels of games")
@@ -44,7 +44,7 @@ def toy_chart(path: Path) -> None:
 
 
 def pinball(seconds: float | None) -> None:
-    """Nothing; plays pinball."""
+    """Play pinball."""
     needed("pygame", "pygame-ce", "play", "games")
     from carom.play.pinball import run
 
@@ -52,7 +52,7 @@ def pinball(seconds: float | None) -> None:
 
 
 def pool(seconds: float | None) -> None:
-    """Nothing; plays pool."""
+    """Play pool."""
     needed("pygame", "pygame-ce", "play", "games")
     from carom.play.pool import run
 
@@ -60,6 +60,6 @@ def pool(seconds: float | None) -> None:
 
 
 def report(name: str, meter: FrameMeter, seconds: float | None) -> None:
-    """Nothing; prints how long frames took, where a game was played for a given time."""
+    """Print how long frames took, where a game was played for a given time."""
     if seconds is not None:
         typer.echo(f"{name}: {meter.line()}")

@@ -36,7 +36,7 @@ COLUMNS = (
 
 
 def write_hits(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None:
-    """Nothing; writes one line for each of `hits`, in order of time, every number with all of its digits.
+    """Write one line for each of `hits`, in order of time, every number with all of its digits.
 
     `names` are those of shapes and balls that have one, by id.
     """
@@ -50,7 +50,7 @@ def write_hits(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None
 
 
 def write_hits_table(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None:
-    """Nothing; writes the same columns as a table that can be read by column, names as null where there is none."""
+    """Write the same columns as a table that can be read by column, names as null where there is none."""
     arrow = needed("pyarrow", "pyarrow", "study", "Parquet files")
     parquet = needed("pyarrow.parquet", "pyarrow", "study", "Parquet files")
     kinds = {kind.value: kind.name.lower() for kind in HitKind}

@@ -23,6 +23,6 @@ class Interrupt:
         signal.signal(signal.SIGINT, self._before)
 
     def _note(self, *_: object) -> None:
-        """Nothing; called by Python on Ctrl-C."""
+        """Raise `KeyboardInterrupt`, once; called by Python on Ctrl-C."""
         self.asked = True
         signal.signal(signal.SIGINT, self._before)

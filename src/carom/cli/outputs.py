@@ -12,7 +12,7 @@ from carom.cli.mistakes import Mistake, meant
 
 
 def check_outputs(paths: Sequence[Path], endings: Sequence[str], scene: Path | None) -> None:
-    """Nothing; raises `Mistake` unless every one of `paths` has one of `endings` and can be written now.
+    """Raise `Mistake` unless every one of `paths` has one of `endings` and can be written now.
 
     `scene` is the file that the scene comes from, which no output may overwrite.
     """
@@ -34,7 +34,7 @@ def check_outputs(paths: Sequence[Path], endings: Sequence[str], scene: Path | N
 
 
 def _check_place(path: Path, target: Path) -> None:
-    """Nothing; raises unless a file can be made at `target`, and the one way to know is to make one beside it."""
+    """Raise unless a file can be made at `target`, and the one way to know is to make one beside it."""
     if target.is_dir():
         raise Mistake(f"{path}: is a folder")
     if not target.parent.is_dir():

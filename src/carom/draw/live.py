@@ -104,15 +104,15 @@ class Live:
         self.refresh()
 
     def note(self, hits: Rows) -> None:
-        """Nothing; remembers the `hits` of a step that was just made, and where the balls are now."""
+        """Remember the `hits` of a step that was just made, and where the balls are now."""
         self._wake.note(hits)
 
     def forget(self) -> None:
-        """Nothing; forgets tracks and hits."""
+        """Forget tracks and hits."""
         self._wake.forget()
 
     def refresh(self) -> None:
-        """Nothing; looks anew at what stays as it is. To be called when shapes or the broad phase were changed."""
+        """Look anew at what stays as it is. To be called when shapes or the broad phase were changed."""
         shapes = parts(self._world.shapes)
         ends = ends_of(shapes)
         materials = [(shape, material_of(shape, ends)) for shape in shapes]
@@ -141,7 +141,7 @@ class Live:
         return shape.motion == Motion.KINEMATIC or shape.id in self._changing
 
     def draw(self, surface: Any) -> None:
-        """Nothing; draws the world into a surface of the size that was given."""
+        """Draw the world into a surface of the size that was given."""
         if self._kept is None:
             self._kept = self._own.copy()
             self.draw_still(self._kept)
@@ -150,7 +150,7 @@ class Live:
 
     @spelled
     def draw_still(self, surface: Any, *, ground: bool = True) -> None:
-        """Nothing; draws what stays, over the paper, or over what is there where `ground` is False."""
+        """Draw what stays, over the paper, or over what is there where `ground` is False."""
         self._painter.surface, self._painter.quick = surface, False
         picture = self._picture
         if ground:
@@ -159,7 +159,7 @@ class Live:
             picture.draw_still_shapes(self._painter)
 
     def draw_moving(self, surface: Any) -> None:
-        """Nothing; draws what moves, over what is there."""
+        """Draw what moves, over what is there."""
         self._painter.surface, self._painter.quick = surface, True
         balls = Balls.of(self._world)
         tracks = self._wake.tracks() if Layer.TRACKS in self._layers else ()

@@ -39,7 +39,7 @@ class Letters:
         *,
         anchor: Anchor = "start",
     ) -> None:
-        """Nothing; writes one line of `words`, its upper edge at `place` in pixels, its letters `size` pixels high."""
+        """Write one line of `words`, its upper edge at `place` in pixels, its letters `size` pixels high."""
         picture = self._rendered(words, size, colour)
         x, y = place
         shift = {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]

@@ -23,11 +23,11 @@ class FrameMeter:
         self._ends: deque[float] = deque(maxlen=RECENT + 1)
 
     def begin(self) -> None:
-        """Nothing; the work of a frame begins."""
+        """Note that the work of a frame begins."""
         self._begun = clock.perf_counter()
 
     def end(self) -> None:
-        """Nothing; the work of the frame is done."""
+        """Note that the work of the frame is done."""
         now = clock.perf_counter()
         self._work.append(now - self._begun)
         self._recent.append(now - self._begun)

@@ -117,7 +117,7 @@ def window_size(picture: tuple[int, int], desktop: tuple[int, int]) -> tuple[int
 
 
 def check_screen() -> None:
-    """Nothing; raises `NoDisplay` where there is no screen, unless a driver without one was asked for by name."""
+    """Raise `NoDisplay` where there is no screen, unless a driver without one was asked for by name."""
     try:
         pygame.display.init()
     except pygame.error as error:

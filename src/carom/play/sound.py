@@ -48,7 +48,7 @@ class Speaker:
         return self.muted or not self._sounds
 
     def play(self, name: str, volume: float = 1.0) -> None:
-        """Nothing; plays a sound, as loud as `volume` from 0 to 1 says, if a voice is free."""
+        """Play a sound, as loud as `volume` from 0 to 1 says, if a voice is free."""
         if self.silent or volume < FAINTEST:
             return
         channel = self._sounds[name].play()
@@ -56,7 +56,7 @@ class Speaker:
             channel.set_volume(min(1.0, volume))
 
     def stop(self) -> None:
-        """Nothing; ends all sounds."""
+        """End all sounds."""
         if self._sounds:
             pygame.mixer.stop()
 

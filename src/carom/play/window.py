@@ -34,13 +34,13 @@ class Game(Protocol):
     meter: FrameMeter
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Nothing; takes one event. Places of the mouse are in the picture's pixels."""
+        """Take one event. Places of the mouse are in the picture's pixels."""
 
     def advance(self, seconds: float) -> None:
-        """Nothing; takes note that so much time went by since the last frame."""
+        """Take note that so much time went by since the last frame."""
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the frame into a surface of `size` pixels."""
+        """Draw the frame into a surface of `size` pixels."""
 
 
 class Window:

@@ -61,7 +61,7 @@ def refused(field: str, must: str) -> RecordingError:
 
 
 def _demand(fulfilled: bool | np.bool_, field: str, must: str) -> None:
-    """Nothing; raises unless a demand on a field is fulfilled."""
+    """Raise unless a demand on a field is fulfilled."""
     if not fulfilled:
         raise refused(field, must)
 
@@ -78,7 +78,7 @@ def _array(recording: Recording, field: str) -> NDArray[Any]:
 
 
 def _check_frames(fields: dict[str, Any]) -> None:
-    """Nothing; raises unless times and what is at them can be."""
+    """Raise unless times and what is at them can be."""
     times = fields["times"]
     _demand(len(times) > 0, "times", "must have at least one frame")
     _demand(np.isfinite(times).all(), "times", "must be finite")
@@ -92,7 +92,7 @@ def _check_frames(fields: dict[str, Any]) -> None:
 
 
 def _check_members(fields: dict[str, Any], scene: Scene) -> None:
-    """Nothing; raises unless balls and shapes are those of a world."""
+    """Raise unless balls and shapes are those of a world."""
     for field in ("radii", "masses"):
         _demand((np.isfinite(fields[field]) & (fields[field] > 0.0)).all(), field, "must be positive and finite")
     _demand((np.diff(fields["ids"]) > 0).all() and (fields["ids"] >= 0).all(), "ids", "must ascend from 0 or more")

@@ -47,7 +47,7 @@ NO_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def write_recording(recording: Recording, path: str | os.PathLike[str]) -> None:
-    """Nothing; writes a recording to a file, whole or not at all; raises `RecordingError`."""
+    """Write a recording to a file, whole or not at all; raise `RecordingError`."""
     file_name = _checked(path)
     try:
         write_whole(path, recording_bytes(recording))
@@ -111,7 +111,7 @@ def _checked(path: Any) -> str:
 
 
 def _add(archive: ZipFile, name: str, data: bytes) -> None:
-    """Nothing; puts an entry into an archive."""
+    """Put an entry into an archive."""
     entry = ZipInfo(name, NO_DATE)
     entry.compress_type = ZIP_DEFLATED
     archive.writestr(entry, data)

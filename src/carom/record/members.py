@@ -36,7 +36,7 @@ def shapes_of(scene: Scene) -> list[Shape]:
 
 
 def put(shape: Shape, x: float, y: float, orientation: float) -> None:
-    """Nothing; puts a shape of no world where its pivot is at (x, y) and it has turned to `orientation`."""
+    """Put a shape of no world where its pivot is at (x, y) and it has turned to `orientation`."""
     row = shape._row
     row["pivot_x"], row["pivot_y"], row["orientation"] = x, y, orientation
     pose(row)

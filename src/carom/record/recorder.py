@@ -64,7 +64,7 @@ class Recorder:
 
     @spelled
     def note(self, hits: Rows | None = None) -> None:
-        """Nothing; notes a step that was made, and its `hits`."""
+        """Note a step that was made, and its `hits`."""
         if hits is not None and len(hits):
             self._hits.append(np.asarray(hits))
         self._steps += 1
@@ -95,7 +95,7 @@ class Recorder:
         )
 
     def _take(self) -> None:
-        """Nothing; notes the world as it stands as a frame."""
+        """Note the world as it stands as a frame."""
         room = self._world._room
         self._times.append(self._world.time)
         self._balls.append(room.balls.used[BALL_FIELDS].copy())

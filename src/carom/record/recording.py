@@ -114,7 +114,7 @@ class Recording(Played):
         return read_recording(cls, path)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Nothing; writes a file that loads as the same recording, bit for bit.
+        """Write a file that loads as the same recording, bit for bit.
 
         The file is complete or as it was before, whatever happens. Raises `RecordingError` where it cannot be written.
         """
@@ -166,7 +166,7 @@ class Recording(Played):
         return shapes
 
     def pose(self, shapes: list[Shape], frame: int) -> None:
-        """Nothing; makes `shapes`, which `shapes_at` has made, what they were at another frame."""
+        """Make `shapes`, which `shapes_at` has made, what they were at another frame."""
         checks.whole("frame", frame, -len(self), len(self) - 1)
         for shape, colliding in zip(shapes, self.colliding[frame].tolist(), strict=True):
             shape._row["can_collide"] = colliding

@@ -18,7 +18,7 @@ from carom.rows.shape import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, POINT, SEGME
 
 
 def derive(shape: ShapeRow) -> None:
-    """Nothing; makes the fields that follow from the current geometry agree with it: ends, tangent, middle, box.
+    """Make the fields that follow from the current geometry agree with it: ends, tangent, middle, box.
 
     The current geometry is `cx, cy` of a point or circle, `ax, ay, bx, by` of a segment or gate in either order, and
     `cx, cy, radius, start_angle, end_angle` (normalized) of an arc. A segment whose ends rounding has made one keeps
@@ -41,7 +41,7 @@ def derive(shape: ShapeRow) -> None:
 
 
 def _set_box(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> None:
-    """Nothing; stores the four sides of the box."""
+    """Store the four sides of the box."""
     shape["left"] = left
     shape["bottom"] = bottom
     shape["right"] = right
@@ -49,7 +49,7 @@ def _set_box(shape: ShapeRow, left: float, bottom: float, right: float, top: flo
 
 
 def _derive_segment(shape: ShapeRow) -> None:
-    """Nothing; orders the ends (smaller x first, then smaller y) and derives middle, tangent, length and box."""
+    """Order the ends (smaller x first, then smaller y) and derive middle, tangent, length and box."""
     ax, ay = float(shape["ax"]), float(shape["ay"])
     bx, by = float(shape["bx"]), float(shape["by"])
     if bx < ax or (bx == ax and by < ay):
@@ -72,7 +72,7 @@ def _derive_segment(shape: ShapeRow) -> None:
 
 
 def _derive_arc(shape: ShapeRow) -> None:
-    """Nothing; derives the ends and the box of an arc from its centre, radius and angles."""
+    """Derive the ends and the box of an arc from its centre, radius and angles."""
     cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     start, end = float(shape["start_angle"]), float(shape["end_angle"])
     ax, ay, bx, by = arc_ends(cx, cy, radius, start, end)
@@ -85,7 +85,7 @@ def _derive_arc(shape: ShapeRow) -> None:
 
 
 def set_initial(shape: ShapeRow) -> None:
-    """Nothing; makes the current geometry and pivot the initial ones, with orientation 0 and no motion behind it."""
+    """Make the current geometry and pivot the initial ones, with orientation 0 and no motion behind it."""
     shape["initial_cx"] = shape["cx"]
     shape["initial_cy"] = shape["cy"]
     shape["initial_ax"] = shape["ax"]
@@ -106,14 +106,14 @@ def set_initial(shape: ShapeRow) -> None:
 
 
 def set_before(shape: ShapeRow) -> None:
-    """Nothing; remembers orientation and pivot as those that a substep begins with."""
+    """Remember orientation and pivot as those that a substep begins with."""
     shape["orientation_before"] = shape["orientation"]
     shape["pivot_before_x"] = shape["pivot_x"]
     shape["pivot_before_y"] = shape["pivot_y"]
 
 
 def pose(shape: ShapeRow) -> None:
-    """Nothing; puts the shape where orientation and pivot say: pivot + R(orientation)·(initial - hinge).
+    """Put the shape where orientation and pivot say: pivot + R(orientation)·(initial - hinge).
 
     Always from the initial geometry, so turns accumulate no drift. At orientation 0 the shape is its initial geometry
     moved by the way from hinge to pivot, which is that geometry bit for bit where the pivot is at the hinge. An
@@ -150,7 +150,7 @@ def _shift(shape: ShapeRow) -> None:
 
 
 def _turn(shape: ShapeRow, c: float, s: float) -> None:
-    """Nothing; the initial geometry turned by the angle of cosine c and sine s, then moved with the pivot."""
+    """Turn the initial geometry by the angle of cosine c and sine s, and move it with the pivot."""
     from_x, from_y = float(shape["hinge_x"]), float(shape["hinge_y"])
     to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
     if is_straight(shape["kind"]):
@@ -222,7 +222,7 @@ def advance_pose(shape: ShapeRow, h: float) -> bool:
 
 
 def _advance_orientation(shape: ShapeRow, spin: float, h: float) -> None:
-    """Nothing; turns by spin·h, up to a stop, where angular_velocity becomes 0."""
+    """Turn by spin·h, up to a stop, where angular_velocity becomes 0."""
     if spin == 0.0:
         shape["angular_velocity"] = 0.0
         return

@@ -32,7 +32,7 @@ def read_plain(path: str | os.PathLike[str]) -> Plain:
 
 
 def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
-    """Nothing; writes `table` to a `.toml` or `.json` file, which is either as before or complete, whatever happens."""
+    """Write `table` to a `.toml` or `.json` file, which is either as before or complete, whatever happens."""
     _, write = _form_of(path)
     data = write(table).encode("utf-8")
     if len(data) > LONGEST_FILE:
@@ -44,7 +44,7 @@ def write_plain(path: str | os.PathLike[str], table: Plain) -> None:
 
 
 def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
-    """Nothing; makes `data` the contents of a file, which is either as before or complete; raises `OSError`."""
+    """Make `data` the contents of a file, which is either as before or complete; raise `OSError`."""
     target = Path(os.path.realpath(path))
     beside = target.with_name(f".{target.name}.{token_hex(8)}.part")
     try:

@@ -28,7 +28,7 @@ def guarded(shapes: Sequence[Shape | Compound]) -> list[Shape | Compound]:
 
 
 def _guard_parts(compound: Compound) -> None:
-    """Nothing; adds the points that the parts of a compound need to it."""
+    """Add the points that the parts of a compound need to it."""
     orientation = compound.orientation
     compound.reset()  # parts are added as they lie at orientation 0
     for point in guard_points(compound.shapes):

@@ -51,7 +51,7 @@ class Scene(Descriptor, Pictured):
         self._fill({"version": VERSION} | fields)
 
     def _fill(self, table: Plain) -> None:
-        """Nothing; sets the fields to what `table` holds, or raises `SceneError` with all that is wrong in it."""
+        """Set the fields to what `table` holds, or raise `SceneError` with all that is wrong in it."""
         wrong = crowd(table)
         if wrong:
             raise SceneError(wrong)
@@ -86,7 +86,7 @@ class Scene(Descriptor, Pictured):
         return scene
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Nothing; writes a `.toml` or `.json` file that loads as the same scene, bit for bit.
+        """Write a `.toml` or `.json` file that loads as the same scene, bit for bit.
 
         The file is complete or as it was before, whatever happens. Raises `SceneError` where it cannot be written.
         """

@@ -194,7 +194,7 @@ class Ball(Round):
     @spelled
     @changing
     def move(self, dt: float, gravity: Pair = (0.0, 0.0)) -> None:
-        """Nothing; moves the ball freely for `dt` seconds (not negative), on the exact parabola of constant gravity.
+        """Move the ball freely for `dt` seconds (not negative), on the exact parabola of constant gravity.
 
         `p += v·dt + g·dt²/2`, then `v += g·dt`; `gravity` in length/s². Raises `InvalidArgument` for bad arguments, and
         where the ball would leave the range of numbers.
@@ -213,7 +213,7 @@ class Ball(Round):
     @spelled
     @changing
     def respond(self, contact: Contact, restitution: Restitution = "normal") -> None:
-        """Nothing; does what follows from a contact of this ball: moves it out of the shape and turns its velocity.
+        """Do what follows from a contact of this ball: move it out of the shape and turn its velocity.
 
         With e the product of the two elasticities, a ball that approaches leaves with e times its normal speed relative
         to the surface, plus the shape's kick; of two balls, both move and both turn. `restitution="total"` scales the
@@ -236,20 +236,20 @@ def _friction(value: float | None) -> float:
 
 
 def _check(row: Row, name: str, value: object) -> None:
-    """Nothing; raises where a ball's box or velocity is not finite, with argument `name` and its `value` to blame."""
+    """Raise where a ball's box or velocity is not finite, with argument `name` and its `value` to blame."""
     box = circle_box(float(row["x"]), float(row["y"]), float(row["radius"]))
     if not all(map(isfinite, (*box, row["vx"], row["vy"]))):
         raise refuse(name, "must leave the ball's box and velocity finite", value)
 
 
 def _check_contact(value: Any, ball: Ball) -> None:
-    """Nothing; raises for what is no contact of `ball`."""
+    """Raise for what is no contact of `ball`."""
     if not isinstance(value, Contact) or (value.ball is not ball and value.shape is not ball):
         raise refuse("contact", "must be a Contact of this ball", value)
 
 
 def _respond_to_shape(contact: Contact, shape: Shape, total: bool) -> None:
-    """Nothing; the response of a ball to a static or kinematic shape."""
+    """Change the ball's velocity as its collision with a static or kinematic shape does."""
     ball, (nx, ny) = contact.ball, contact.normal
     (x, y), (vx, vy) = ball.position, ball.velocity
     surface_vx, surface_vy = shape.surface_velocity(contact.point)
@@ -263,7 +263,7 @@ def _respond_to_shape(contact: Contact, shape: Shape, total: bool) -> None:
 
 
 def _respond_to_ball(contact: Contact, first: Ball) -> None:
-    """Nothing; the response of two balls to each other."""
+    """Change the velocities of two balls as their collision does."""
     second, (nx, ny) = contact.ball, contact.normal
     (vx1, vy1), (vx2, vy2) = first.velocity, second.velocity
     m1, m2 = first.mass, second.mass

@@ -152,7 +152,7 @@ class Compound(Group):
         return shape
 
     def _take(self, name: str, shapes: list[Shape]) -> None:
-        """Nothing; makes parts of shapes, all or none; `name` is what to call the one at a place in errors."""
+        """Make parts of shapes, all or none; `name` is what to call the one at a place in errors."""
         rows = [self._part_row(name.format(place), shape) for place, shape in enumerate(shapes)]
         if len({id(shape) for shape in shapes}) < len(shapes):
             raise refuse("shapes", "must not hold a shape twice", shapes)

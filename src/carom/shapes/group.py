@@ -90,7 +90,7 @@ class Group(Spelled):
         self._turn("angle", angle, *pair("pivot", pivot))
 
     def _turn(self, name: str, value: float, x: float, y: float) -> None:
-        """Nothing; turns all parts by the angle `value` about (x, y)."""
+        """Turn all parts by the angle `value` about (x, y)."""
         angle = number(name, value)
         self._write([part._turned(name, value, x, y, angle) for part in self._parts])
 
@@ -125,12 +125,12 @@ class Group(Spelled):
         self._write([part._restored() for part in self._parts])
 
     def _write(self, rows: list[Row]) -> None:
-        """Nothing; writes the checked rows of all parts."""
+        """Write the checked rows of all parts."""
         for part, row in zip(self._parts, rows, strict=True):
             part._write(row)
 
     def _forward(self, write: Callable[[Row, Any], None], value: Any) -> None:
-        """Nothing; has `write` set `value` on all parts; the first one refuses before anything has changed."""
+        """Have `write` set `value` on all parts; the first one refuses before anything has changed."""
         for part in self._parts:
             write(part._row, value)
             part._change()

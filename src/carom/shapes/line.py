@@ -49,7 +49,7 @@ class Line:
         return line
 
     def _lay(self, x: float, y: float, dx: float, dy: float) -> None:
-        """Nothing; fixes the line through (x, y) along (dx, dy)."""
+        """Fix the line through (x, y) along (dx, dy)."""
         for slot, value in (("_x", x), ("_y", y), ("_dx", dx), ("_dy", dy)):
             object.__setattr__(self, slot, value)
 

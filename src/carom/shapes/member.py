@@ -44,13 +44,13 @@ class Member(Spelled, ABC):
     user: Any
 
     def _begin(self, row: Row, name: str | None, user: Any) -> None:
-        """Nothing; makes this a lone member with a copy of `row`. The last thing that a constructor does."""
+        """Make this a lone member with a copy of `row`. The last thing that a constructor does."""
         self._stand_alone(row)
         self._name = name
         self.user = user
 
     def _stand_alone(self, row: Row) -> None:
-        """Nothing; gives the member a table of its own, with a copy of `row` in it."""
+        """Give the member a table of its own, with a copy of `row` in it."""
         self._table = Table.of_one(self._DTYPE)
         self._table.rows[0] = row
         self._index = 0
@@ -60,7 +60,7 @@ class Member(Spelled, ABC):
     # -- what a world calls ------------------------------------------------------------------------------------------
 
     def _enter(self, world: Home, table: Table, index: int) -> None:
-        """Nothing; copies the row to `table.rows[index]`, all but the `id`, which the world has written there.
+        """Copy the row to `table.rows[index]`, all but the `id`, which the world has written there.
 
         From here on the object is a view of that row, and `_change` calls `world._changed(self)`. The caller has made
         sure that the member is in no world.
@@ -71,7 +71,7 @@ class Member(Spelled, ABC):
         self._table, self._index, self._id, self._world = table, index, member_id, world
 
     def _leave(self) -> None:
-        """Nothing; copies the row back to a table of its own, so that the object keeps its last values.
+        """Copy the row back to a table of its own, so that the object keeps its last values.
 
         To be called while `table.rows[index]` still holds them. What only a world can know (id, sleep) is cleared.
         """
@@ -100,17 +100,17 @@ class Member(Spelled, ABC):
         return row
 
     def _change(self) -> None:
-        """Nothing; tells the world that the row was changed from outside."""
+        """Tell the world that the row was changed from outside."""
         if self._world is not None:
             self._world._changed(self)
 
     def _write(self, row: Row) -> None:
-        """Nothing; makes `row`, which was checked, the member's row, and tells the world."""
+        """Make `row`, which was checked, the member's row, and tell the world."""
         self._table.write(self, row)
         self._change()
 
     def _put(self, field: str, value: object) -> None:
-        """Nothing; writes one field, whose value was checked, and tells the world."""
+        """Write one field, whose value was checked, and tell the world."""
         self._row[field] = value
         self._change()
 

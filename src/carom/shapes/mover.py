@@ -66,12 +66,12 @@ class Mover(Member):
     # -- changes -----------------------------------------------------------------------------------------------------
 
     def _check(self, row: Row, name: str, value: object) -> None:
-        """Nothing; raises where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
+        """Raise where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
         if not all(isfinite(row[field]) for field in _GEOMETRY):
             raise refuse(name, "must leave the shape's place and box finite", value)
 
     def _refuse_part(self, name: str, value: object) -> None:
-        """Nothing; raises where the shape is part of a compound, which alone says where its parts are."""
+        """Raise where the shape is part of a compound, which alone says where its parts are."""
         if self._compound is not None:
             raise refuse(name, "must be left to the compound that the shape is part of", value)
 
@@ -92,7 +92,7 @@ class Mover(Member):
         return row
 
     def _set_geometry(self, name: str, value: object, **fields: float) -> None:
-        """Nothing; writes fields of the current geometry, which becomes the initial one, or raises.
+        """Write fields of the current geometry, which becomes the initial one, or raise.
 
         A pivot that is the shape's position stays so.
         """
@@ -175,7 +175,7 @@ class Mover(Member):
         self._put_at("position", value)
 
     def _put_at(self, name: str, value: Pair) -> None:
-        """Nothing; moves the shape so that its position is `value`, and its pivot with it."""
+        """Move the shape so that its position is `value`, and its pivot with it."""
         x, y = pair(name, value)
         self._refuse_part(name, value)
         from_x, from_y = self.position

@@ -64,7 +64,7 @@ def send(row: Row, pivot: Vector, orientation: float, dt: float) -> None:
 
 
 def write_motion(row: Row, value: Any) -> None:
-    """Nothing; makes the row static or kinematic. A row that still moves, or has stops, cannot become static."""
+    """Make the row static or kinematic. A row that still moves, or has stops, cannot become static."""
     motion = motion_value(value)
     if motion == STATIC:
         moving = row["angular_velocity"] != 0.0 or row["velocity_x"] != 0.0 or row["velocity_y"] != 0.0
@@ -76,7 +76,7 @@ def write_motion(row: Row, value: Any) -> None:
 
 
 def write_angular_velocity(row: Row, value: Any) -> None:
-    """Nothing; sets how fast the row turns, in rad/s."""
+    """Set how fast the row turns, in rad/s."""
     angular_velocity = number("angular_velocity", value)
     if angular_velocity != 0.0:
         _need_kinematic(row, "angular_velocity", value)
@@ -85,14 +85,14 @@ def write_angular_velocity(row: Row, value: Any) -> None:
 
 
 def write_rotating(row: Row, value: Any) -> None:
-    """Nothing; sets whether the row's angular velocity acts."""
+    """Set whether the row's angular velocity acts."""
     rotating = flag("rotating", value)
     halt(row)
     row["rotating"] = rotating
 
 
 def write_velocity(row: Row, value: Any) -> None:
-    """Nothing; sets how fast the row's pivot, and the shape with it, moves."""
+    """Set how fast the row's pivot, and the shape with it, move."""
     x, y = pair("velocity", value)
     if x != 0.0 or y != 0.0:
         _need_kinematic(row, "velocity", value)
@@ -101,7 +101,7 @@ def write_velocity(row: Row, value: Any) -> None:
 
 
 def write_turn_limits(row: Row, value: Any) -> None:
-    """Nothing; sets the stops `(low, high)` of the row's orientation, or takes them away with None.
+    """Set the stops `(low, high)` of the row's orientation, or take them away with None.
 
     They must hold 0, the initial orientation to which `reset` goes back, and the orientation as it is.
     """
@@ -120,6 +120,6 @@ def write_turn_limits(row: Row, value: Any) -> None:
 
 
 def _need_kinematic(row: Row, name: str, value: Any) -> None:
-    """Nothing; raises where the row is static, for there the setting would silently do nothing."""
+    """Raise where the row is static, for there the setting would silently do nothing."""
     if row["motion"] != KINEMATIC:
         raise refuse(name, "must not be set unless motion is 'kinematic'", value)

@@ -58,7 +58,7 @@ class Segment(Shape):
         self._put_p0("p0", value)
 
     def _put_p0(self, name: str, value: Pair) -> None:
-        """Nothing; moves the end `p0`."""
+        """Move the end `p0`."""
         x, y = pair(name, value)
         self._set_geometry(name, value, ax=x, ay=y)
 
@@ -74,7 +74,7 @@ class Segment(Shape):
         self._put_p1("p1", value)
 
     def _put_p1(self, name: str, value: Pair) -> None:
-        """Nothing; moves the end `p1`."""
+        """Move the end `p1`."""
         x, y = pair(name, value)
         self._set_geometry(name, value, bx=x, by=y)
 
@@ -100,7 +100,7 @@ class Segment(Shape):
 
     @changing
     def set_ends(self, start: Pair, end: Pair) -> None:
-        """Nothing; moves both ends at once. Raises `InvalidArgument` where they are equal."""
+        """Move both ends at once. Raises `InvalidArgument` where they are equal."""
         (ax, ay), (bx, by) = two_ends(start, end)
         self._set_geometry("end", end, ax=ax, ay=ay, bx=bx, by=by)
 

@@ -64,7 +64,7 @@ class Shape(Mover):
     __signature__: ClassVar[inspect.Signature]
 
     def __init_subclass__(cls) -> None:
-        """Nothing; spells the options of every shape out in the subclass's signature, for `help` and for tests."""
+        """Spell the options of every shape out in the subclass's signature, for `help` and for tests."""
         super().__init_subclass__()
         own = list(inspect.signature(cls.__init__).parameters.values())[1:]
         if own and own[-1].kind is inspect.Parameter.VAR_KEYWORD:
@@ -76,7 +76,7 @@ class Shape(Mover):
     # -- construction ------------------------------------------------------------------------------------------------
 
     def _create(self, name: str, value: object, options: ShapeOptions, **geometry: float) -> None:
-        """Nothing; finishes the construction of a shape from the fields of its own geometry.
+        """Finish the construction of a shape from the fields of its own geometry.
 
         Raises `InvalidArgument`, with argument `name` and its `value` to blame, where that geometry is impossible.
         """

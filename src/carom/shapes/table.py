@@ -51,5 +51,5 @@ class Table:
         return self.rows[self.index(owner)]
 
     def write(self, owner: Owner, row: Row) -> None:
-        """Nothing; copies the fields of `row` into `owner`'s row."""
+        """Copy the fields of `row` into `owner`'s row."""
         self.rows[self.index(owner)] = row

@@ -39,7 +39,7 @@ class Departed:
         self._now = {id(member): member for member in now}
 
     def add(self, member_id: int, member: Shape | Ball) -> None:
-        """Nothing; keeps an object that has left."""
+        """Keep an object that has left."""
         self._known[member_id] = member
         self._now[id(member)] = member
 
@@ -51,7 +51,7 @@ class Departed:
         return id(member) in self._now or id(member) in self._before
 
     def forget_oldest(self) -> None:
-        """Nothing; a new step or run begins, and hits from before the last one are not at hand any more."""
+        """Forget what the hits before the last step or run named: a new one begins."""
         if self._now or self._before:
             self._before, self._now = self._now, {}
 
@@ -67,7 +67,7 @@ class Departed:
         return member
 
     def keep_balls(self, rows: Rows) -> None:
-        """Nothing; keeps objects of all balls that left in rows."""
+        """Keep objects of all balls that left in rows."""
         for ball in rows["id"]:
             member = self.find(int(ball), rows)
             if member is not None:

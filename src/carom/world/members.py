@@ -54,7 +54,7 @@ class Members:
         return cast("World", self)
 
     def _forget_objects(self) -> None:
-        """Nothing; begins with no objects at all."""
+        """Begin with no objects at all."""
         self._objects: dict[int, Shape | Ball] = {}
         self._added: dict[int, Shape | Compound] = {}
         self._departed = Departed()
@@ -265,7 +265,7 @@ class Members:
     # -- changes -----------------------------------------------------------------------------------------------------
 
     def _changed(self, member: Any) -> None:
-        """Nothing; takes note that a member was changed from outside."""
+        """Take note that a member was changed from outside."""
         state = self._states[0]
         state["wake"] = 1
         if isinstance(member, Ball):
@@ -277,12 +277,12 @@ class Members:
             self._rearrange()
 
     def _changed_all(self) -> None:
-        """Nothing; takes note that a setting was changed, or that balls may have been."""
+        """Take note that a setting was changed, or that balls may have been."""
         self._states[0]["wake"] = 1
         self._rearrange()
 
     def _rearrange(self) -> None:
-        """Nothing; has the next step look at its tables anew."""
+        """Have the next step look at its tables anew."""
         self._states[0]["wake"] = 1
         self._arguments = None
         self._search = None

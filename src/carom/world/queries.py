@@ -442,7 +442,7 @@ def _sizes(name: str, value: Any) -> float | NDArray[np.float64]:
 
 
 def _check_lengths(arguments: dict[str, Any]) -> None:
-    """Nothing; raises where two of the arguments are arrays of different lengths."""
+    """Raise where two of the arguments are arrays of different lengths."""
     lengths = {name: len(value) for name, value in arguments.items() if isinstance(value, np.ndarray)}
     if len(set(lengths.values())) > 1:
         (first, count), *others = lengths.items()
@@ -451,7 +451,7 @@ def _check_lengths(arguments: dict[str, Any]) -> None:
 
 
 def _check_distances(start: Any, end: Any, target: object) -> None:
-    """Nothing; raises where a target is infinitely far away."""
+    """Raise where a target is infinitely far away."""
     if isinstance(start, tuple) and isinstance(end, tuple):
         near = isfinite(end[0] - start[0]) and isfinite(end[1] - start[1])
     else:

@@ -31,7 +31,7 @@ def relations_in_order(room: Room) -> list[Relation]:
 
 
 def set_relations(room: Room, relations: list[Relation]) -> None:
-    """Nothing; replaces all relations by these, which stand in the order of `relations_in_order`."""
+    """Replace all relations by these, which stand in the order of `relations_in_order`."""
     state: Row = room.states[0]
     state["relations"] = state["relations_high"] = 0
     state["free_relation"] = NO_RELATION
@@ -42,7 +42,7 @@ def set_relations(room: Room, relations: list[Relation]) -> None:
 
 
 def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
-    """Nothing; takes out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now."""
+    """Take out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now."""
     kept: list[Relation] = []
     new_ball = np.cumsum(~balls) - 1
     new_shape = np.cumsum(~shapes) - 1
@@ -65,7 +65,7 @@ def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_])
 
 
 def _exit(room: Room, ball: Row, other: Rows) -> None:
-    """Nothing; records that a ball left a sensor."""
+    """Record that a ball left a sensor."""
     state = room.states[0]
     if state["hits"] >= len(room.hits):
         state["wanted_hits"] = state["hits"] + 1

@@ -107,7 +107,7 @@ def _read(snapshot: Any) -> Contents:
 
 
 def read_snapshot(world: World, snapshot: bytes) -> None:
-    """Nothing; makes a world what the snapshot says, or raises `SnapshotError` and leaves it as it was."""
+    """Make a world what the snapshot says, or raise `SnapshotError` and leave it as it was."""
     contents = _read(snapshot)
     room = world._room
     kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
@@ -135,14 +135,14 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
 
 
 def _keep_saved(world: World) -> None:
-    """Nothing; fills the copy by which the next step sees whether balls were changed through views."""
+    """Fill the copy by which the next step sees whether balls were changed through views."""
     room = world._room
     for field in ("x", "y", "vx", "vy"):
         room.saved[field][: room.balls.count] = room.balls.used[field]
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:
-    """Nothing; makes the shapes that are missing, and the compounds, and gives all their names."""
+    """Make the shapes that are missing, and the compounds, and give all their names."""
     for row in contents.shapes:
         key = int(row["id"])
         if key not in world._objects:
@@ -182,7 +182,7 @@ def _restore_compounds(world: World, contents: Contents) -> list[Compound]:
 
 
 def _regroup(world: World, compounds: list[Compound], left: list[Shape | Ball]) -> None:
-    """Nothing; tells every shape which compound it is part of now, and takes others out of the compounds they were in.
+    """Tell every shape which compound it is part of now, and take others out of the compounds they were in.
 
     A shape that leaves the world stays in its compound, unless that stays in the world without it.
     """

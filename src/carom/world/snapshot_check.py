@@ -52,7 +52,7 @@ class Contents:
 
 
 def check_contents(contents: Contents) -> None:
-    """Nothing; raises `SnapshotError` where the contents are not a state that a world can be in."""
+    """Raise `SnapshotError` where the contents are not a state that a world can be in."""
     tables = (contents.state, contents.balls, contents.shapes, contents.relations, contents.hits)
     need([table.dtype for table in tables] == [STATE, BALL, SHAPE, np.dtype("i8"), HIT], "tables of another version")
     need([table.ndim for table in tables] == [1, 1, 1, 2, 1], "tables of another form")
@@ -65,13 +65,13 @@ def check_contents(contents: Contents) -> None:
 
 
 def need(right: Any, fault: str) -> None:
-    """Nothing; raises `SnapshotError` unless something is right."""
+    """Raise `SnapshotError` unless something is right."""
     if not right:
         raise SnapshotError(f"snapshot has {fault}")
 
 
 def _check_state(contents: Contents) -> None:
-    """Nothing; raises where settings, counts or time are none that a world can have."""
+    """Raise where settings, counts or time are none that a world can have."""
     need(len(contents.state) == 1, "more than one state")
     state = contents.state[0]
     expected = contents.state.copy()
@@ -96,7 +96,7 @@ def _check_state(contents: Contents) -> None:
 
 
 def _check_balls(balls: Rows) -> None:
-    """Nothing; raises where what only balls' setters write is wrong. What views may write, the next step checks."""
+    """Raise where what only balls' setters write is wrong. What views may write, the next step checks."""
     need((balls["relation"] == NO_RELATION).all(), "balls with relations of their own")
     need((np.isfinite(balls["still_time"]) & (balls["still_time"] >= 0.0)).all(), "balls with a bad time of rest")
     for field in ("sensor", "can_collide", "asleep", "stray"):
@@ -104,7 +104,7 @@ def _check_balls(balls: Rows) -> None:
 
 
 def _check_shapes(shapes: Rows) -> None:
-    """Nothing; raises where a shape is none that constructors and setters let through."""
+    """Raise where a shape is none that constructors and setters let through."""
     kinds, motions = shapes["kind"], shapes["motion"]
     need(np.isin(kinds, tuple(SHAPE_CLASSES)).all() and (motions <= KINEMATIC).all(), "shapes of unknown kinds")
     for field in SHAPE.names or ():
@@ -149,7 +149,7 @@ def _agrees(values: tuple[Any, ...]) -> bool:
 
 
 def _check_relations(contents: Contents) -> None:
-    """Nothing; raises where a relation is of rows that are not there, or of kinds that have none."""
+    """Raise where a relation is of rows that are not there, or of kinds that have none."""
     need(contents.relations.shape[1] == 3, "relations of another form")
     for kind, ball, other in contents.relation_list:
         others = contents.balls if kind == INSIDE_BALL else contents.shapes
@@ -160,7 +160,7 @@ def _check_relations(contents: Contents) -> None:
 
 
 def _check_hits(contents: Contents) -> None:
-    """Nothing; raises where a pending hit cannot have happened."""
+    """Raise where a pending hit cannot have happened."""
     hits, next_id = contents.hits, contents.state[0]["next_id"]
     need((hits["kind"] >= 0).all() and (hits["kind"] <= EXIT).all(), "hits of unknown kinds")
     need(np.isfinite(hits["time"]).all(), "hits at no time")
@@ -169,7 +169,7 @@ def _check_hits(contents: Contents) -> None:
 
 
 def _check_header(contents: Contents) -> None:
-    """Nothing; raises where names or compounds are of what is not there."""
+    """Raise where names or compounds are of what is not there."""
     header = contents.header
     need(set(header) == {"names", "compounds"}, "another header")
     shapes = {int(row["id"]): (int(row["kind"]), int(row["motion"])) for row in contents.shapes}
@@ -190,7 +190,7 @@ def _check_header(contents: Contents) -> None:
 
 
 def _check_surface(surface: dict[str, Any]) -> None:
-    """Nothing; raises where what was set for all parts of a compound cannot be."""
+    """Raise where what was set for all parts of a compound cannot be."""
     probe = Compound([], (0.0, 0.0))
     try:
         for name, value in surface.items():

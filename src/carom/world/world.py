@@ -188,7 +188,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             self._watcher = None
 
     def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
-        """Nothing; leaves the hits of a run that was interrupted to the next step or run."""
+        """Leave the hits of a run that was interrupted to the next step or run."""
         self._room.give_back(_joined(parts))
         self._arguments = None
         for rows in gone:
@@ -244,7 +244,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         return rows
 
     def _serve(self, status: int) -> None:
-        """Nothing; does what a kernel that came back needs before it can go on, or raises."""
+        """Do what a kernel that came back needs before it can go on, or raise."""
         if status in (NEEDS_ROOM, NEEDS_PAIRS):
             self._room.extend(status)
         elif status == HAS_STRAYS:
@@ -260,7 +260,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         self._arguments = self._room.arguments()
 
     def _roll_back(self) -> None:
-        """Nothing; undoes the part of a step that was interrupted in the interpreter."""
+        """Undo the part of a step that was interrupted in the interpreter."""
         room = self._room
         roll_back(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
 
@@ -273,7 +273,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     @alone
     def restore(self, snapshot: bytes) -> None:
-        """Nothing; makes this world what it was when the snapshot was taken, to the bit.
+        """Make this world what it was when the snapshot was taken, to the bit.
 
         Objects whose ids are in it stay, those that are missing are made, the others are detached.
 

@@ -30,7 +30,7 @@ def guarded(shapes: Sequence[carom.Shape]) -> list[carom.Shape]:
 
 
 def add_loners(world: carom.World, position: ArrayLike, velocity: ArrayLike, radius: ArrayLike) -> None:
-    """Nothing; adds balls that meet shapes but not each other."""
+    """Add balls that meet shapes but not each other."""
     world.add_balls(position, velocity, radius=radius)
     rows = world._room.balls.used
     rows["layer"], rows["collides_with"] = 2, 1
@@ -146,7 +146,7 @@ def bulge_on(start: Pair, end: Pair, bend: str, random: Random) -> Bulge:
 
 
 def furnish(room: Room, random: Random) -> None:
-    """Nothing; puts a solid circle, a hollow one that is met from outside, and points around the middle of a room."""
+    """Put a solid circle, a hollow one that is met from outside, and points around the middle of a room."""
     turn = random.uniform(0.0, 2.0 * pi)
     for number, solid in enumerate((True, False)):
         angle, radius = turn + number * 2.0, random.uniform(0.5, 1.0)

@@ -20,7 +20,7 @@ def sent(shapes: list[carom.Shape], position: tuple[float, float], angle: float,
 
 
 def run_impacts(world: carom.World, count: int, seconds: float) -> None:
-    """Nothing; runs a world until so many impacts have happened, in steps of so many seconds."""
+    """Run a world until so many impacts have happened, in steps of so many seconds."""
     done = 0
     while done < count:
         hits = len(world.step(seconds))

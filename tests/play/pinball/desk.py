@@ -15,14 +15,14 @@ class Desk:
         self.events: list[Event] = self.game.take_events()
 
     def tick(self, times: int = 1) -> None:
-        """Nothing; makes steps, after each of which the ledger must balance."""
+        """Make steps, after each of which the ledger must balance."""
         for _ in range(times):
             self.game.tick()
             assert self.game.ledger.check(self.game.world)
         self.events += self.game.take_events()
 
     def until(self, done: Callable[[], object], most: int) -> None:
-        """Nothing; makes steps until something is so."""
+        """Make steps until something is so."""
         for _ in range(most):
             if done():
                 return
@@ -30,7 +30,7 @@ class Desk:
         raise AssertionError(f"not so after {most} steps")
 
     def press(self, *controls: Control) -> None:
-        """Nothing; presses and lets go."""
+        """Press and let go."""
         for control in controls:
             self.game.press(control, True)
             self.tick()
@@ -45,12 +45,12 @@ class Desk:
         return ball
 
     def drain(self) -> None:
-        """Nothing; lets the last ball drain."""
+        """Let the last ball drain."""
         self.put(9.3, 6.5, 0.0, -30.0)
         self.tick(4)
 
     def unsave(self) -> None:
-        """Nothing; lets the ball save run out."""
+        """Let the ball save run out."""
         self.game._rules.saver_left = 0
 
     def kinds(self) -> list[EventKind]:

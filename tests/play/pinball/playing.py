@@ -25,7 +25,7 @@ backs_once, sounds_once = cache(art_back.paint_backs), cache(sounds.make)
 
 
 def make_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing; has art and sounds made once for all sessions."""
+    """Have art and sounds made once for all sessions."""
     monkeypatch.setattr(art, "Art", lambda world: art_once())
     monkeypatch.setattr(art_back, "paint_backs", backs_once)
     monkeypatch.setattr(sounds, "make", sounds_once)
@@ -40,12 +40,12 @@ def session(seed: int = 1, scores: HighScores | None = None) -> tuple[PinballApp
 
 
 def key(number: int, down: bool = True) -> None:
-    """Nothing; has a key go down or up before the next frame."""
+    """Have a key go down or up before the next frame."""
     pygame.event.post(pygame.event.Event(pygame.KEYDOWN if down else pygame.KEYUP, key=number))
 
 
 def tapped(window: Window, number: int, frames: int = 1) -> None:
-    """Nothing; a key goes down, some frames of one step pass, it goes up."""
+    """Press a key, let some frames of one step pass, and let it go."""
     key(number)
     for _ in range(frames):
         window.frame(STEP)
@@ -60,5 +60,5 @@ def bytes_of(window: Window, area: pygame.Rect | None = None) -> bytes:
 
 
 def keep(name: str, window: Window, renew: bool, folder: Path) -> None:
-    """Nothing; compares what is in a window with the screen that is kept."""
+    """Compare what is in a window with the screen that is kept."""
     screens.check(name, pygame.transform.smoothscale(window.surface, SCREEN), renew=renew, folder=folder)

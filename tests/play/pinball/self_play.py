@@ -48,7 +48,7 @@ class Watch:
 
 
 def start(game: Pinball) -> None:
-    """Nothing; begins a game, whatever the last one left to do."""
+    """Begin a game, whatever the last one left to do."""
     while game.phase is not Phase.PLAY:
         game.press(Control.START, True)
         game.tick()
@@ -79,7 +79,7 @@ def play(game: Pinball, player: Player | None) -> Played:
 
 
 def main(count: int) -> None:
-    """Nothing; plays games and says what became of them."""
+    """Play games and say what became of them."""
     game = Pinball(HighScores([]), seed=5)
     player = Player(game, seed=5)
     told("played", [play(game, player) for _ in range(count)])
@@ -87,7 +87,7 @@ def main(count: int) -> None:
 
 
 def told(name: str, games: list[Played]) -> None:
-    """Nothing; says what became of some games."""
+    """Say what became of some games."""
     scores = [game.score for game in games]
     seconds = sum(game.steps_in_play for game in games) / (3 * 480 * len(games))
     sys.stdout.write(

@@ -24,7 +24,7 @@ def once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def start(window: Window) -> None:
-    """Nothing; starts a game and shows it for a step."""
+    """Start a game and show it for a step."""
     tapped(window, pygame.K_RETURN)
 
 
@@ -49,7 +49,7 @@ def test_screens_look_as_they_did_when_someone_looked_at_them(name: str, renew: 
 
 
 def play_a_game(window: Window, app: PinballApp, most: int, at: Callable[[int], None]) -> None:
-    """Nothing; starts a game and plays it to its end with keys, 60 frames a second, flipping in turn.
+    """Start a game and play it to its end with keys, 60 frames a second, flipping in turn.
 
     The plunger is drawn for a second whenever a ball lies on it; `at` is called after each frame.
     """

@@ -324,7 +324,7 @@ def test_two_banks_bring_two_more_balls_one_after_the_other(desk: Desk) -> None:
 
 
 def lose_all(desk: Desk, score: int) -> None:
-    """Nothing; loses three balls, with so many points in the end."""
+    """Lose three balls, with so many points in the end."""
     for _ in range(BALLS):
         desk.put(9.3, 21.0)
         desk.unsave()
@@ -336,7 +336,7 @@ def lose_all(desk: Desk, score: int) -> None:
 
 
 def guarded(desk: Desk) -> None:
-    """Nothing; lets the time go by in which nothing is heeded."""
+    """Let the time go by in which nothing is heeded."""
     assert desk.game._wait >= -GUARD
     desk.game._wait = 0
 

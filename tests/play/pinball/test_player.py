@@ -40,12 +40,12 @@ class Chair:
         vars(self.player)["_foresight"] = blind
 
     def press(self, control: Control, down: bool) -> None:
-        """Nothing; keeps what is pressed, and does it."""
+        """Keep what is pressed, and do it."""
         self.pressed.append((control, down))
         self.game.press(control, down)
 
     def sit(self, ticks: int) -> None:
-        """Nothing; lets the player think and press, while the ball stands still."""
+        """Let the player think and press, while the ball stands still."""
         for _ in range(ticks):
             self.player.tick()
 

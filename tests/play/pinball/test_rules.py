@@ -36,7 +36,7 @@ class Played:
         return self.rules.score - before
 
     def wait(self, seconds: float) -> None:
-        """Nothing; lets time pass."""
+        """Let time pass."""
         for _ in range(round(seconds * RATE)):
             self.rules.tick()
 

@@ -157,7 +157,7 @@ def cradled(table: Table) -> tuple[carom.Ball, bytes]:
 
 
 def again(table: Table, snapshot: bytes) -> None:
-    """Nothing; sets the table back to where a ball is cradled on the left."""
+    """Set the table back to where a ball is cradled on the left."""
     table.world.restore(snapshot)
     table.left.pressed, table.right.pressed = True, False
 

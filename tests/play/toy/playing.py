@@ -25,10 +25,10 @@ class Steady:
     rate, work, share = 60.0, 0.004, 0.24
 
     def begin(self) -> None:
-        """Nothing; takes no time."""
+        """Take no time."""
 
     def end(self) -> None:
-        """Nothing; takes no time."""
+        """Take no time."""
 
 
 class Player:
@@ -53,32 +53,32 @@ class Player:
         return self.desk.tables[0].world
 
     def frames(self, count: int = 1) -> None:
-        """Nothing; lets frames go by."""
+        """Let frames go by."""
         for _ in range(count):
             self.window.frame(FRAME)
 
     def key(self, key: int) -> None:
-        """Nothing; presses a key and lets it go."""
+        """Press a key and let it go."""
         for kind in (pygame.KEYDOWN, pygame.KEYUP):
             pygame.event.post(pygame.event.Event(kind, key=key, mod=0, unicode="", scancode=0))
         self.frames()
 
     def mouse(self, kind: int, place: tuple[float, float]) -> None:
-        """Nothing; the mouse goes to a place, or its button is pressed or let go there."""
+        """Move the mouse to a place, or press or let go its button there."""
         spot = (round(place[0]), round(place[1]))
         more = {"rel": (0, 0), "buttons": (0, 0, 0)} if kind == pygame.MOUSEMOTION else {"button": 1}
         pygame.event.post(pygame.event.Event(kind, pos=spot, **more))
         self.frames()
 
     def click(self, name: Any) -> None:
-        """Nothing; clicks on a button of the panel, by its name, or by the name and the value of a choice."""
+        """Click on a button of the panel, by its name, or by the name and the value of a choice."""
         place = self.toy.panel.places[name].center
         for kind in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             self.mouse(kind, place)
         self.frames()
 
     def slide(self, name: str, pixels: int) -> None:
-        """Nothing; drags the knob of a slider to the right, or to the left where `pixels` is below 0."""
+        """Drag the knob of a slider to the right, or to the left where `pixels` is below 0."""
         x, y = self.toy.panel.places[name].center
         self.mouse(pygame.MOUSEMOTION, (x, y))
         self.mouse(pygame.MOUSEBUTTONDOWN, (x, y))
@@ -87,5 +87,5 @@ class Player:
         self.frames()
 
     def point(self, place: tuple[float, float]) -> None:
-        """Nothing; the mouse goes to a place of the first table."""
+        """Move the mouse to a place of the first table."""
         self.mouse(pygame.MOUSEMOTION, self.toy.views[0].pixel(place))

@@ -23,7 +23,7 @@ def held(place: tuple[float, float], substeps: int = 4) -> tuple[Hand, Table, ca
 
 
 def sweep(hand: Hand, way: list[tuple[float, float]]) -> None:
-    """Nothing; moves the mouse along a way, a place a frame."""
+    """Move the mouse along a way, a place a frame."""
     for place in way:
         hand.wait(FRAME)
         hand.move(place)

@@ -15,7 +15,7 @@ class Ear:
         self.heard: list[tuple[str, float]] = []
 
     def play(self, name: str, volume: float) -> None:
-        """Nothing; hears a sound."""
+        """Hear a sound."""
         self.heard.append((name, volume))
 
 

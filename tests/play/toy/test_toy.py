@@ -212,7 +212,7 @@ def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch:
 
 
 def keep(player: Player, name: str, renew: bool, folder: Path) -> None:
-    """Nothing; compares the screen with the kept one."""
+    """Compare the screen with the kept one."""
     player.frames(1)
     check(f"toy-{name}", player.window.surface, renew=renew, folder=folder)
 

@@ -134,7 +134,7 @@ class Silent:
 
     @staticmethod
     def get_ffmpeg_exe() -> str:
-        """Nothing; there is none."""
+        """Do nothing: there is none."""
         raise RuntimeError("No ffmpeg exe could be found.")
 
 

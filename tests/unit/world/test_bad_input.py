@@ -167,7 +167,7 @@ def test_bad_input_is_refused_by_name_and_changes_nothing(world: carom.World, ca
 
 
 def give(world: carom.World, owner: str, called: str, argument: str, value: Any) -> None:
-    """Nothing; gives a value to a constructor, a method or an attribute."""
+    """Give a value to a constructor, a method or an attribute."""
     if owner == "carom":
         carom.World(**{argument: value})
     elif called:
@@ -177,7 +177,7 @@ def give(world: carom.World, owner: str, called: str, argument: str, value: Any)
 
 
 def call(world: carom.World, called: str, arguments: dict[str, Any]) -> None:
-    """Nothing; calls a method, `shapes` being its arguments without a name."""
+    """Call a method, `shapes` being its arguments without a name."""
     named = {name: value for name, value in arguments.items() if name != "shapes"}
     getattr(world, called)(*arguments.get("shapes", []), **named)
 

@@ -59,7 +59,7 @@ def encoder() -> str:
 
 @spelled
 def write_film(film: Film, path: Path, tell: Callable[[int, int], Any] | None = None) -> None:
-    """Nothing; writes a `.gif` or `.mp4` file that plays a film as fast as it happened.
+    """Write a `.gif` or `.mp4` file that plays a film as fast as it happened.
 
     Args:
         film: The film.
@@ -100,7 +100,7 @@ def frames_of(film: Film, rate: int) -> list[int]:
 
 
 def encode(film: Film, rate: int, pictures: Iterable[bytes], options: Mapping[str, str], path: Path) -> None:
-    """Nothing; gives pictures to the encoder, which writes a file as its `options` say."""
+    """Give pictures to the encoder, which writes a file as its `options` say."""
     width, height = film.pixels
     source = {"-f": "rawvideo", "-pix_fmt": "rgb24", "-s": f"{width}x{height}", "-r": str(rate), "-i": "-"}
     words = (word for table in (source, options, PLAIN) for pair in table.items() for word in pair)

@@ -34,7 +34,7 @@ class Wake:
         self.forget()
 
     def forget(self) -> None:
-        """Nothing; forgets all that was."""
+        """Forget all that was."""
         # Of each ball: time, x, y, and whether it bounced there.
         self._ways: dict[int, deque[tuple[float, float, float, bool]]] = {}
         self._bounces: Rows = np.zeros(0, HIT)

@@ -55,7 +55,7 @@ class PagePainter:
         self._keep("text", lettering, [*position], words)
 
     def _keep(self, name: str, style: Style | Lettering, numbers: list[float], *more: str) -> None:
-        """Nothing; keeps one call."""
+        """Keep one call."""
         if style not in self._numbers:
             self._numbers[style] = len(self.styles)
             self.styles.append(style)
@@ -64,7 +64,7 @@ class PagePainter:
 
 
 def record_into(painter: PagePainter, frame: Frame, draw: Callable[[Painter, Frame], None]) -> None:
-    """Nothing; gives `painter` new layers, of what `draw` draws at any zoom: numbers are of the world, and in pixels.
+    """Give `painter` new layers, of what `draw` draws at any zoom: numbers are of the world, and in pixels.
 
     Marks are as large in every picture: a dot has a radius of `frame.units(pixels)`. So `draw` is asked twice, for
     scales s and 2s: a number w + p / s that is w + p / 2s at the other scale has a part w of the world and p pixels.

@@ -85,7 +85,7 @@ class RasterPainter:
     # -- the painter's calls ---------------------------------------------------------------------------------------
 
     def layer(self, name: str) -> None:
-        """Nothing; pixels have no layers."""
+        """Do nothing: pixels have no layers."""
 
     def segment(self, start: Vector, end: Vector, style: Style) -> None:
         """Draw a straight line."""
@@ -265,7 +265,7 @@ class RasterPainter:
             line(self.surface, colour, start, end, width)
 
     def _keep(self, key: Hashable, found: list[Patch]) -> None:
-        """Nothing; remembers patches, and forgets all when they become too many."""
+        """Remember patches, and forget all when they become too many."""
         if len(self._kept) >= MOST_KEPT:
             self._kept.clear()
         self._kept[key] = found

@@ -56,7 +56,7 @@ class PoolApp:
         self.session.running = value
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Nothing; takes one event."""
+        """Take one event."""
         if event.type == pygame.MOUSEMOTION:
             self.session.point(self.view.layout.place(event.pos))
         elif event.type == pygame.MOUSEWHEEL:
@@ -69,17 +69,17 @@ class PoolApp:
                 self._do(action, down)
 
     def _do(self, action: Action, down: bool) -> None:
-        """Nothing; begins or ends an action."""
+        """Begin or end an action."""
         (self.session.begin if down else self.session.end)(action)
 
     def advance(self, seconds: float) -> None:
-        """Nothing; makes the steps that are due, and the sounds of what happened in them."""
+        """Make the steps that are due, and the sounds of what happened in them."""
         for _ in range(self._ticker.due(seconds)):
             self.session.tick()
         self._sound()
 
     def _sound(self) -> None:
-        """Nothing; plays what was not heard yet."""
+        """Play what was not heard yet."""
         pool = self.session.pool
         self.speaker.muted = Mode.MUTE in self.session.modes
         for impact, impulse in pool.noises:
@@ -90,7 +90,7 @@ class PoolApp:
         self._phase = pool.phase
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the frame."""
+        """Draw the frame."""
         self.view.draw(surface, self.session, self.meter)
 
 

@@ -58,19 +58,19 @@ class RollingBall:
         self.turn = UPRIGHT
 
     def reset(self) -> None:
-        """Nothing; turns it as a ball is put onto the table: its number can be read."""
+        """Turn it as a ball is put onto the table: its number can be read."""
         if self.turn is not UPRIGHT:
             self.turn, self._drawn = UPRIGHT, None
 
     def roll(self, dx: float, dy: float) -> None:
-        """Nothing; rolls it without slipping over `dx` and `dy`, in pixels, y up."""
+        """Roll it without slipping over `dx` and `dy`, in pixels, y up."""
         way = hypot(dx, dy)
         if way > 0.0:
             self.turn = _turned((-dy / way, dx / way, 0.0), way / self.radius) @ self.turn
             self._drawn = None
 
     def draw(self, surface: pygame.Surface, place: Vector, size: float = 1.0, bright: float = 1.0) -> None:
-        """Nothing; draws it with its centre at `place`, as large as `size` and as bright as `bright` say of 1."""
+        """Draw it with its centre at `place`, as large as `size` and as bright as `bright` say of 1."""
         left, top = floor(place[0]), floor(place[1])
         part_x, part_y = round((place[0] - left) * PLACES), round((place[1] - top) * PLACES)
         key = (part_x, part_y, size, bright)

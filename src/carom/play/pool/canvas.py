@@ -61,12 +61,12 @@ class Canvas:
         return self.mask(lambda surface: pygame.draw.rect(surface, "white", edges, 0, round(corner * FINER)))
 
     def paint(self, mask: Field, colour: Sequence[float] | NDArray[np.float32], shade: Field | float = 1.0) -> None:
-        """Nothing; lays a colour, or a picture, times `shade` over what `mask` covers."""
+        """Lay a colour, or a picture, times `shade` over what `mask` covers."""
         paint = np.asarray(colour, np.float32) * (shade[..., None] if isinstance(shade, np.ndarray) else shade)
         self.light += (paint - self.light) * mask[..., None]
 
     def darken(self, mask: Field) -> None:
-        """Nothing; takes the share `mask` of its light from each pixel."""
+        """Take the share `mask` of its light from each pixel."""
         self.light *= (1.0 - mask)[..., None]
 
     def picture(self) -> NDArray[np.uint8]:

@@ -113,7 +113,7 @@ class Pool:
         self.place(setup)
 
     def place(self, setup: Setup) -> None:
-        """Nothing; begins a game with the balls at rest where `setup` has them."""
+        """Begin a game with the balls at rest where `setup` has them."""
         for ball, place in ((self.cue, setup.cue), (self.eight, setup.eight)):
             ball.velocity, ball.position = (0.0, 0.0), place
         self.setup = setup
@@ -136,7 +136,7 @@ class Pool:
         return self.world.time - self._shot_at
 
     def shoot(self, direction: Vector, power: float) -> None:
-        """Nothing; shoots the cue ball. `power` goes from 0, the softest shot, to 1; only while aiming."""
+        """Shoot the cue ball. `power` goes from 0, the softest shot, to 1; only while aiming."""
         length = hypot(*direction)
         if self.phase is not Phase.AIM or length == 0.0:
             return
@@ -180,7 +180,7 @@ class Pool:
         return most
 
     def _bounce(self, hit: Any) -> None:
-        """Nothing; marks an impact, unless it is hidden: one inside a pocket after the first."""
+        """Mark an impact, unless it is hidden: one inside a pocket after the first."""
         if self._fell(hit.ball):
             return
         (x, y), (nx, ny), radius = hit.point, hit.normal, hit.ball.radius
@@ -204,7 +204,7 @@ class Pool:
         return met and ball.name in self.potted
 
     def _rest(self) -> None:
-        """Nothing; judges the shot, now that both balls lie still."""
+        """Judge the shot, now that both balls lie still."""
         self.moving = False
         if self.phase is Phase.ROLL:
             self.phase = Phase.WON if self.eight.name in self.potted else Phase.AIM

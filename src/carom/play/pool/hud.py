@@ -42,7 +42,7 @@ class Hud:
         self._gradient = _gradient(BAR.size)
 
     def draw(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
-        """Nothing; draws all of it."""
+        """Draw all of it."""
         self._top(surface, session)
         self._bottom(surface, session, meter)
         self._power(surface, session)
@@ -52,7 +52,7 @@ class Hud:
             self._end(surface, session)
 
     def _top(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; says how the game stands."""
+        """Say how the game stands."""
         headline, colour = words.headline(session)
         self.letters.draw(surface, headline, (36, 9), 25, colour)
         self.letters.draw(surface, words.detail(session), (36, 38), 14, MUTED)
@@ -61,7 +61,7 @@ class Hud:
         self.letters.draw(surface, "  ·  ".join(on), (SIZE[0] - 72, 38), 14, GOLD, anchor="end")
 
     def _bottom(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
-        """Nothing; says which keys there are, and how fast frames are."""
+        """Say which keys there are, and how fast frames are."""
         self.letters.draw(surface, KEYS_LINE, (36, 689), 13, MUTED)
         right = MODES_LINE
         if Mode.RATE in session.modes:
@@ -69,7 +69,7 @@ class Hud:
         self.letters.draw(surface, right, (SIZE[0] - 72, 689), 13, MUTED, anchor="end")
 
     def _power(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; draws the power as a bar that fills from below."""
+        """Draw the power as a bar that fills from below."""
         power = session.strength
         pygame.draw.rect(surface, (34, 38, 45), BAR.inflate(8, 8), 0, 11)
         pygame.draw.rect(surface, (8, 9, 11), BAR, 0, 8)
@@ -90,7 +90,7 @@ class Hud:
         self.letters.draw(surface, speed, (BAR.centerx, BAR.bottom + 32), 12, MUTED, anchor="middle")
 
     def _end(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; says that the game is won or lost, and how to play again."""
+        """Say that the game is won or lost, and how to play again."""
         won = session.pool.phase is Phase.WON
         colour = GOOD if won else BAD
         share = min((session.since_end - WAIT) / APPEAR, 1.0)

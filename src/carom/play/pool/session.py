@@ -83,24 +83,24 @@ class Session:
         return cos(self.angle), sin(self.angle)
 
     def point(self, place: Vector) -> None:
-        """Nothing; aims at a place of the table, unless the cue is drawn already."""
+        """Aim at a place of the table, unless the cue is drawn already."""
         self._pointer = place
         if self.draw is None and self.pool.phase is Phase.AIM:
             self._aim(place)
 
     def _aim(self, place: Vector) -> None:
-        """Nothing; aims at a place that is not within the cue ball's middle."""
+        """Aim at a place that is not within the cue ball's middle."""
         x, y = place[0] - self.pool.cue.position[0], place[1] - self.pool.cue.position[1]
         if x * x + y * y > 1e-6:
             self.angle = atan2(y, x)
 
     def _aim_at_eight(self) -> None:
-        """Nothing; aims full at the eight."""
+        """Aim full at the eight."""
         self.angle = 0.0
         self._aim(self.pool.eight.position)
 
     def _turn(self, angle: float) -> None:
-        """Nothing; turns the aim; the mouse no longer says where it goes."""
+        """Turn the aim; the mouse no longer says where it goes."""
         self._pointer = None
         self.angle = (self.angle + angle + pi) % (2.0 * pi) - pi
 
@@ -121,7 +121,7 @@ class Session:
     # -- what the player does ----------------------------------------------------------------------------------------
 
     def begin(self, action: Action) -> None:
-        """Nothing; a key or button of an action goes down."""
+        """Begin an action whose key or button goes down."""
         self.held[action] = 0.0
         if action in SWITCHES:
             self.modes ^= {SWITCHES[action]}
@@ -129,7 +129,7 @@ class Session:
             self._doings()[action](action)
 
     def end(self, action: Action) -> None:
-        """Nothing; it goes up again."""
+        """End an action whose key or button goes up."""
         self.held.pop(action, None)
         if action is Action.DRAW and self.draw is not None:
             drawn, self.draw = self.draw, None
@@ -160,40 +160,40 @@ class Session:
         return FINE_NOTCH if Action.FINE in self.held else NOTCH
 
     def change_power(self, change: float) -> None:
-        """Nothing; changes the power, which stays between 0 and 1."""
+        """Change the power, which stays between 0 and 1."""
         self.power = min(max(self.power + change, 0.0), 1.0)
 
     def _draw_cue(self) -> None:
-        """Nothing; begins to draw the cue, or another game where this one is over."""
+        """Begin to draw the cue, or another game where this one is over."""
         if self.pool.over:
             self.again()
         elif self.pool.phase is Phase.AIM and Mode.PAUSE not in self.modes:
             self.draw = 0.0
 
     def _put_down(self) -> None:
-        """Nothing; the cue is put down without a shot."""
+        """Put the cue down without a shot."""
         self.draw = None
 
     def _shoot_or_again(self) -> None:
-        """Nothing; shoots with the power shown, or begins another game."""
+        """Shoot with the power shown, or begin another game."""
         if self.pool.over:
             self.again()
         else:
             self._shoot()
 
     def _shoot(self) -> None:
-        """Nothing; shoots, if it is the moment for that."""
+        """Shoot, if it is the moment for that."""
         if self.pool.phase is Phase.AIM and Mode.PAUSE not in self.modes:
             self.draw = None
             self.pool.shoot(self.direction, self.power)
             self.since_shot = 0.0
 
     def again(self) -> None:
-        """Nothing; begins a game from the next position."""
+        """Begin a game from the next position."""
         self._begin_game(self.number + 1)
 
     def _begin_game(self, number: int) -> None:
-        """Nothing; begins a game from a position by its number."""
+        """Begin a game from a position by its number."""
         if number == self.number:
             self.pool.place(self.pool.setup)
         else:
@@ -204,7 +204,7 @@ class Session:
         self._aim_at_eight()
 
     def _quit(self) -> None:
-        """Nothing; closes the help, or ends the sitting."""
+        """Close the help, or end the sitting."""
         if Mode.HELP in self.modes:
             self.modes.discard(Mode.HELP)
         else:
@@ -213,7 +213,7 @@ class Session:
     # -- time --------------------------------------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Nothing; `STEP` seconds go by: keys that are held go on, and the balls roll."""
+        """Let `STEP` seconds go by: keys that are held go on, and the balls roll."""
         for action in self.held:
             self.held[action] += STEP
         if Mode.PAUSE in self.modes or Mode.HELP in self.modes:
@@ -229,7 +229,7 @@ class Session:
             self._steps(HURRY if Action.DRAW in self.held else 1)
 
     def _hold(self) -> None:
-        """Nothing; goes on with what the keys do that are held."""
+        """Go on with what the keys do that are held."""
         sides = ((Action.TURN_LEFT, 1.0), (Action.TURN_RIGHT, -1.0))
         turn = FINE_TURN if Action.FINE in self.held else TURN
         for action, side in sides:
@@ -240,15 +240,15 @@ class Session:
                 self.change_power(side * POWER_RATE * STEP)
 
     def _steps(self, count: int) -> None:
-        """Nothing; the balls roll on for a number of steps."""
+        """Let the balls roll on for a number of steps."""
         self._roll(lambda: [self.pool.step() for _ in range(count)])
 
     def _to_impact(self) -> None:
-        """Nothing; the balls roll on to the next impact."""
+        """Let the balls roll on to the next impact."""
         self._roll(self.pool.to_impact)
 
     def _roll(self, roll: Callable[[], object]) -> None:
-        """Nothing; rolls the balls on, and takes note of what came of it."""
+        """Roll the balls on, and take note of what came of it."""
         if not self.pool.moving:
             return
         over = self.pool.over

@@ -70,7 +70,7 @@ def _tinted(colour: Colour, alpha: NDArray[np.float64]) -> pygame.Surface:
 
 
 def put(surface: pygame.Surface, picture: pygame.Surface, place: Vector) -> None:
-    """Nothing; lays a picture onto a surface with its middle at `place`."""
+    """Lay a picture onto a surface with its middle at `place`."""
     width, height = picture.get_size()
     surface.blit(picture, (round(place[0] - 0.5 * width), round(place[1] - 0.5 * height)))
 
@@ -84,7 +84,7 @@ class Cue:
         self._turned: tuple[float, tuple[pygame.Surface, ...]] = (400.0, ())
 
     def draw(self, surface: pygame.Surface, tip: Vector, towards: Vector, bright: float = 1.0) -> None:
-        """Nothing; draws it with its tip at a pixel, pointing `towards`, y down; faint where `bright` is below 1."""
+        """Draw it with its tip at a pixel, pointing `towards`, y down; faint where `bright` is below 1."""
         angle = round(degrees(atan2(towards[1], -towards[0])), 2)
         if angle != self._turned[0]:
             self._turned = angle, tuple(pygame.transform.rotozoom(each, angle, 0.5) for each in self._pictures)

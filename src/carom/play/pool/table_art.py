@@ -124,7 +124,7 @@ class TableArt:
         return self.canvas.box(left, top, width * SCALE, height * SCALE, corner * SCALE)
 
     def _paint_room(self) -> None:
-        """Nothing; paints the dark room, a little of the lamp on its floor, and the table's shadow there."""
+        """Paint the dark room, a little of the lamp on its floor, and the table's shadow there."""
         glow = np.clip(self.lamp, 0.0, 1.0) ** 3
         self.canvas.light[:] = ROOM
         self.canvas.light += (glow * 16.0)[..., None] * np.array((0.9, 1.0, 1.15), np.float32)
@@ -132,7 +132,7 @@ class TableArt:
         self.canvas.darken(blurred(shadow, 16) * np.float32(0.8))
 
     def _paint_wood(self) -> None:
-        """Nothing; paints the rails, their grain along them, bevelled to both sides."""
+        """Paint the rails, their grain along them, bevelled to both sides."""
         grain = np.where(
             self.sideways,
             noise(SIZE, (2, 90), 1) * 0.7 + noise(SIZE, (9, 260), 2),
@@ -157,14 +157,14 @@ class TableArt:
         )
 
     def _paint_cushions(self) -> None:
-        """Nothing; paints the cushions: their slope from the nose to the rail, and the dark seam at their back."""
+        """Paint the cushions: their slope from the nose to the rail, and the dark seam at their back."""
         depth = np.clip(self.outward / CUSHION, 0.0, 1.0)
         nose = np.exp(-(((self.outward - 0.7) / 0.55) ** 2))
         shade = (0.90 + 0.34 * nose - 0.24 * depth) * self.lamp * (1.0 + 0.004 * self.specks)
         self.canvas.paint(self._box(CUSHION, 0.5), CUSHION_CLOTH, shade.astype(np.float32))
 
     def _paint_pocket_rims(self) -> None:
-        """Nothing; paints brass and leather round the pockets."""
+        """Paint brass and leather round the pockets."""
         outside = self._box(RAIL - 0.7, 6.4) * (1.0 - self.inside)
         brass = self.canvas.polygons([self._pie(arc, 3.3) for arc in self.pockets]) * outside
         leather = self.canvas.polygons([self._pie(arc, 2.5) for arc in self.pockets]) * outside
@@ -185,7 +185,7 @@ class TableArt:
         return [self.layout.pixel(place) for place in [(x, y), *rim_points]]
 
     def _paint_cloth(self) -> None:
-        """Nothing; paints the cloth: its weave, its lines, and the shadow that the cushions cast on it."""
+        """Paint the cloth: its weave, its lines, and the shadow that the cushions cast on it."""
         weave = 1.0 + 0.004 * self.specks + 0.012 * noise(SIZE, (30, 30), 8)
         self.canvas.paint(self.inside, CLOTH, (weave * self.lamp).astype(np.float32))
         quarter, middle = self.layout.width / 4.0, self.layout.height / 2.0
@@ -197,14 +197,14 @@ class TableArt:
         self.canvas.darken((overhang * self.inside * 0.62).astype(np.float32))
 
     def _paint_holes(self) -> None:
-        """Nothing; paints what is seen of the pockets from above: the dark, and a lip that catches light."""
+        """Paint what is seen of the pockets from above: the dark, and a lip that catches light."""
         discs = self.canvas.discs(self.holes) * self.inside
         self.canvas.paint(discs, (7, 7, 8))
         lip = np.clip(discs - self.canvas.discs([(center, radius - 2.5) for center, radius in self.holes]), 0.0, 1.0)
         self.canvas.paint(lip * np.float32(0.8), (58, 47, 42), self.lamp)
 
     def _paint_sights(self) -> None:
-        """Nothing; paints the sights: eighths of the length and quarters of the width."""
+        """Paint the sights: eighths of the length and quarters of the width."""
         width, height, out = self.layout.width, self.layout.height, (CUSHION + RAIL) / 2.0 + 0.4
         places = [(width * part / 8.0, y) for part in (1, 2, 3, 5, 6, 7) for y in (-out, height + out)]
         places += [(x, height * part / 4.0) for part in (1, 2, 3) for x in (-out, width + out)]

@@ -68,7 +68,7 @@ class View:
         self._pockets = {pocket_at(session.pool, arc.center): self.layout.pixel(arc.center) for arc in pockets(world)}
 
     def draw(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
-        """Nothing; draws the whole window."""
+        """Draw the whole window."""
         surface.blit(self.table, (0, 0))
         shown = session.preview()
         if Mode.IMPACTS in session.modes:
@@ -88,7 +88,7 @@ class View:
     # -- balls and cue -----------------------------------------------------------------------------------------------
 
     def _draw_balls(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; draws the balls, rolled on from where they were in the last frame."""
+        """Draw the balls, rolled on from where they were in the last frame."""
         pool = session.pool
         for ball in (pool.cue, pool.eight):
             name = ball.name or ""
@@ -107,7 +107,7 @@ class View:
             self.balls[name].draw(surface, (x, y), size, light)
 
     def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
-        """Nothing; draws an arrow from each ball that moves to where it would be in `ARROW` seconds."""
+        """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds."""
         for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
             (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
             way = SCALE * ARROW * speed
@@ -122,13 +122,13 @@ class View:
                 stroke(surface, barb, end, colour)
 
     def _draw_shadow(self, surface: pygame.Surface, place: Vector) -> None:
-        """Nothing; draws a ball's shadow, which falls away from the lamp above the middle of the table."""
+        """Draw a ball's shadow, which falls away from the lamp above the middle of the table."""
         x, y = self.layout.center
         away = ((place[0] - x) * 0.008, (place[1] - y) * 0.008)
         put(surface, self._shadow, (place[0] + away[0] + 1.5, place[1] + away[1] + 3.5))
 
     def _draw_cue(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; draws the cue behind the cue ball, as far back as the power says, or what is seen of a shot."""
+        """Draw the cue behind the cue ball, as far back as the power says, or what is seen of a shot."""
         pool = session.pool
         x, y = session.direction
         towards = (x, -y)
@@ -147,7 +147,7 @@ class View:
     # -- the line of aim ---------------------------------------------------------------------------------------------
 
     def _draw_aim(self, surface: pygame.Surface, shown: Preview, fall: str | None) -> None:
-        """Nothing; draws the line of aim, the ghost ball, where both balls go on, and the pockets that they reach."""
+        """Draw the line of aim, the ghost ball, where both balls go on, and the pockets that they reach."""
         danger = shown.pocket is not None
         start, ghost = self.layout.pixel(shown.aim.start), self.layout.pixel(shown.aim.ghost)
         self._dash(surface, start, ghost, BAD if danger else IVORY, self.radius + 3.0, self.radius)
@@ -161,7 +161,7 @@ class View:
             put(surface, self._danger, self._pockets[fall])
 
     def _draw_leg(self, surface: pygame.Surface, leg: Leg, colour: Colour) -> None:
-        """Nothing; draws a ball's way on as a thin line with a ring where it ends."""
+        """Draw a ball's way on as a thin line with a ring where it ends."""
         start, end = self.layout.pixel(leg.start), self.layout.pixel(leg.end)
         self._stroke_between(surface, start, end, colour)
         if leg.pocket is None:
@@ -170,7 +170,7 @@ class View:
     def _dash(
         self, surface: pygame.Surface, start: Vector, end: Vector, colour: Colour, skip: float, leave: float
     ) -> None:
-        """Nothing; draws a dashed line that begins `skip` pixels after `start` and ends `leave` pixels before `end`."""
+        """Draw a dashed line that begins `skip` pixels after `start` and ends `leave` pixels before `end`."""
         way = hypot(end[0] - start[0], end[1] - start[1])
         if way <= skip + leave:
             return
@@ -182,7 +182,7 @@ class View:
             at += DASH + GAP
 
     def _draw_falls(self, surface: pygame.Surface, pool: Pool) -> None:
-        """Nothing; draws rings round the pockets that decided the game."""
+        """Draw rings round the pockets that decided the game."""
         for name, fall in pool.potted.items():
             picture = self._danger if name == pool.cue.name else self._goal
             put(surface, picture, self._pockets[fall.pocket])
@@ -190,7 +190,7 @@ class View:
     # -- the marks of the impacts ------------------------------------------------------------------------------------
 
     def _draw_paths(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; draws the ways of both balls since the shot, and where they were at each impact."""
+        """Draw the ways of both balls since the shot, and where they were at each impact."""
         pool = session.pool
         for name, colour in (("cue ball", CUE_LINE), ("eight", EIGHT_LINE)):
             path = [self.layout.pixel(place) for place in pool.path(name)]
@@ -203,14 +203,14 @@ class View:
                 put(surface, self._marks[name], self.layout.pixel(place))
 
     def _stroke_between(self, surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
-        """Nothing; draws a line from the edge of a ball at `start` to that of one at `end`."""
+        """Draw a line from the edge of a ball at `start` to that of one at `end`."""
         way = hypot(end[0] - start[0], end[1] - start[1])
         if way > 2.0 * self.radius:
             x, y = self.radius * (end[0] - start[0]) / way, self.radius * (end[1] - start[1]) / way
             stroke(surface, (start[0] + x, start[1] + y), (end[0] - x, end[1] - y), colour)
 
     def _draw_numbers(self, surface: pygame.Surface, session: Session) -> None:
-        """Nothing; writes the number of each impact into the balls that took part."""
+        """Write the number of each impact into the balls that took part."""
         for mark in session.pool.marks:
             for name, place in mark.balls:
                 x, y = self.layout.pixel(place)
@@ -219,7 +219,7 @@ class View:
 
 
 def stroke(surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
-    """Nothing; draws a smooth line two pixels wide."""
+    """Draw a smooth line two pixels wide."""
     way = hypot(end[0] - start[0], end[1] - start[1])
     if way == 0.0:
         return

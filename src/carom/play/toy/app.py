@@ -76,7 +76,7 @@ class Toy:
     # -- input -------------------------------------------------------------------------------------------------------
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Nothing; takes one event: of keys, controllers and the mouse, and those of the panel's own buttons."""
+        """Take one event: of keys, controllers and the mouse, and those of the panel's own buttons."""
         for name, down in self._controls.read(event):
             if down:
                 self._press(name)
@@ -90,11 +90,11 @@ class Toy:
         self.panel.handle(event)
 
     def _press(self, name: str) -> None:
-        """Nothing; does what a key says; the key that quits closes the help first."""
+        """Do what a key says; the key that quits closes the help first."""
         self.desk.press("help" if name == "quit" and self.desk.help else name)
 
     def _grasp(self, event: pygame.event.Event) -> None:
-        """Nothing; takes hold of the ball under the mouse; a click closes the help."""
+        """Take hold of the ball under the mouse; a click closes the help."""
         self._mouse = event.pos
         if self.desk.help:
             self.desk.do("help")
@@ -108,7 +108,7 @@ class Toy:
                 self.desk.hand.take(ball, place)
 
     def _point(self, pixel: tuple[int, int]) -> None:
-        """Nothing; the mouse is somewhere else now."""
+        """Take the mouse to be somewhere else now."""
         self._mouse = pixel
         if self.desk.hand.ball is not None and self._grip is not None:
             self.desk.hand.move(self._grip.place(pixel))
@@ -120,7 +120,7 @@ class Toy:
     # -- time --------------------------------------------------------------------------------------------------------
 
     def advance(self, seconds: float) -> None:
-        """Nothing; so much time has gone by."""
+        """Go on by so much time."""
         self._agree()
         self.desk.hand.wait(seconds)
         parts = self.desk.advance(self._ticker.due(seconds))
@@ -132,7 +132,7 @@ class Toy:
         self.panel.advance(seconds)
 
     def _agree(self) -> None:
-        """Nothing; shows what the desk's settings say, where they have changed."""
+        """Show what the desk's settings say, where they have changed."""
         settings, tables = self.desk.settings, self.desk.tables
         if tuple(view.table for view in self.views) != tables:
             self._losses = beside.Losses()
@@ -150,7 +150,7 @@ class Toy:
                 view.forget()
 
     def _count(self, seconds: float) -> None:
-        """Nothing; reads the figures, a few times a second."""
+        """Read the figures, a few times a second."""
         news = [view.figures.wait(seconds) for view in self.views]
         news.append(self._told is not self.views)
         if len(self.views) > 1:
@@ -166,7 +166,7 @@ class Toy:
     # -- its picture -------------------------------------------------------------------------------------------------
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the frame."""
+        """Draw the frame."""
         if len(self.views) > 1:
             self._draw_beside(surface)
         for view in self.views:
@@ -178,7 +178,7 @@ class Toy:
         self.panel.draw(surface)
 
     def _draw_beside(self, surface: pygame.Surface) -> None:
-        """Nothing; draws what is around two tables."""
+        """Draw what is around two tables."""
         surface.fill(colours.PAPER, self._stage)
         beside.draw_captions(surface, self._letters, self.views, self.desk.kinds)
         top = self.views[0].area.bottom + 84
@@ -186,7 +186,7 @@ class Toy:
         self._losses.draw(surface, self._letters, area, self.desk.kinds)
 
     def _draw_hand(self, surface: pygame.Surface) -> None:
-        """Nothing; draws what the hand holds."""
+        """Draw what the hand holds."""
         hand = self.desk.hand
         for view in self.views:
             for ball in hand.held([view.table]):
@@ -216,7 +216,7 @@ def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMe
 
 
 def warm_up() -> None:
-    """Nothing; has both kinds of steps compiled: a table that is shown must not stand still for that."""
+    """Have both kinds of steps compiled: a table that is shown must not stand still for that."""
     for detection in ("discrete", "continuous"):
         table = Table()
         table.world.detection = detection

@@ -41,7 +41,7 @@ class Losses:
         self._points: deque[tuple[float, tuple[int, ...]]] = deque()
 
     def wait(self, seconds: float, counts: tuple[int, ...]) -> None:
-        """Nothing; so much time has gone by, and so many balls are lost now."""
+        """Go on by so much time, after which so many balls are lost."""
         self._time += seconds
         if not self._points or self._time - self._points[-1][0] >= PAUSE:
             self._points.append((self._time, counts))
@@ -49,7 +49,7 @@ class Losses:
             self._points.popleft()
 
     def draw(self, surface: pygame.Surface, letters: Letters, area: pygame.Rect, kinds: Sequence[str]) -> None:
-        """Nothing; draws a curve for each table, and what to look for."""
+        """Draw a curve for each table, and what to look for."""
         letters.draw(surface, "Balls lost through walls", area.topleft, 14, colours.TEXT)
         letters.draw(surface, TRY, (area.left, area.top + 22), 12, colours.MUTED)
         chart = pygame.Rect(area.left, area.top + 52, area.width - 44, area.height - 74)
@@ -76,7 +76,7 @@ class Losses:
 
 
 def draw_captions(surface: pygame.Surface, letters: Letters, views: Sequence[View], kinds: Sequence[str]) -> None:
-    """Nothing; draws the name of each detection above its table, and its counts below."""
+    """Draw the name of each detection above its table, and its counts below."""
     for view, kind in zip(views, kinds, strict=True):
         colour, words = LOOKS[kind]
         left, top = view.area.left + 16, view.area.top - HEAD

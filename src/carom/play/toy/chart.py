@@ -86,7 +86,7 @@ def measured_of(balls: int) -> int:
 
 
 def write_chart(path: str | os.PathLike[str], tell: Callable[[str], None]) -> None:
-    """Nothing; measures, writes the chart to `path` (.svg, .png or .pdf), and tells the figures line by line.
+    """Measure, write the chart to `path` (.svg, .png or .pdf), and tell the figures line by line.
 
     Raises:
         MissingExtra: matplotlib is not installed; `pip install "carom[study]"` brings it.
@@ -123,7 +123,7 @@ def empty_figure() -> Any:
 
 
 def draw_chart(figure: Any, found: Sequence[Count]) -> None:
-    """Nothing; draws the counts of few balls on plain axes, and those of many on logarithmic ones."""
+    """Draw the counts of few balls on plain axes, and those of many on logarithmic ones."""
     few, many = figure.subplots(1, 2)
     for axes, numbers in ((few, FEW), (many, MANY)):
         for name, (words, colour) in LOOKS.items():

@@ -64,7 +64,7 @@ class Desk:
         return getattr(self.settings, name)
 
     def change(self, name: str, value: Any) -> None:
-        """Nothing; sets a setting, which acts at once."""
+        """Set a setting, which acts at once."""
         settings = self.settings
         if name in SHOWN:
             layers = SHOWN[name]
@@ -78,11 +78,11 @@ class Desk:
                 ACTS[name](table.world, value)
 
     def do(self, name: str) -> None:
-        """Nothing; does what a button says: `launch`, `launch many`, `clear`, `step`, `help` or `quit`."""
+        """Do what a button says: `launch`, `launch many`, `clear`, `step`, `help` or `quit`."""
         self._actions[name]()
 
     def press(self, name: str) -> None:
-        """Nothing; does an action, switches a switch, or takes the next option of a choice."""
+        """Do an action, switch a switch, or take the next option of a choice."""
         if name in self._actions:
             self.do(name)
         elif name in OPTIONS:
@@ -96,7 +96,7 @@ class Desk:
         return name not in self._actions and bool(self.value(name))
 
     def _obey(self) -> None:
-        """Nothing; sets all tables as the settings say."""
+        """Set all tables as the settings say."""
         kinds = self.kinds
         for table, kind in zip(self.tables, kinds, strict=True):
             apply(self.settings, table.world, kind)
@@ -107,7 +107,7 @@ class Desk:
         return KINDS[self.settings.detection]
 
     def _lay_out(self, detection: str) -> None:
-        """Nothing; puts a second table next to the first, the same as that, or leaves the one that is asked for."""
+        """Put a second table next to the first, the same as that, or leave the one that is asked for."""
         if detection == BOTH and len(self.tables) == 1:
             twin = Table()
             twin.become(self.tables[0])
@@ -131,7 +131,7 @@ class Desk:
             other.world.detection = kind
 
     def _single(self) -> None:
-        """Nothing; stops time, and lets one step go by."""
+        """Stop time, and let one step go by."""
         self.settings.paused = True
         self._single_steps += 1
 

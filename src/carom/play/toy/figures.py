@@ -91,7 +91,7 @@ class Figures:
         return True
 
     def _read(self) -> None:
-        """Nothing; reads the counters, and what they say of the time since the oldest reading that counts."""
+        """Read the counters, and what they say of the time since the oldest reading that counts."""
         statistics = self._table.world.statistics.as_dict()
         counts = [statistics[name] for name in COUNTED]
         if self._readings and counts < self._readings[-1][1]:
@@ -131,7 +131,7 @@ class Twin:
         return twin.statistics.box_tests
 
     def _copy_balls(self) -> None:
-        """Nothing; puts as many balls into the twin, and makes them alike."""
+        """Put as many balls into the twin, and make them alike."""
         balls, copies = self._world.balls, self._twin.balls
         missing = len(balls) - len(copies)
         if missing > 0:

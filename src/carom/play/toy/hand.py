@@ -42,18 +42,18 @@ class Hand:
         self._time = 0.0
 
     def take(self, ball: carom.Ball, target: Vector) -> None:
-        """Nothing; takes hold of a ball."""
+        """Take hold of a ball."""
         self.ball = ball.id
         self._way.clear()
         self.move(target)
 
     def move(self, target: Vector) -> None:
-        """Nothing; the mouse is somewhere else now."""
+        """Take the mouse to be somewhere else now."""
         self.target = target
         self._way.append((self._time, target))
 
     def wait(self, seconds: float) -> None:
-        """Nothing; so much real time has gone by."""
+        """Go on by so much real time."""
         self._time += seconds
         while len(self._way) > 1 and self._way[1][0] <= self._time - MEMORY:
             self._way.popleft()
@@ -77,7 +77,7 @@ class Hand:
         return scale * vx, scale * vy
 
     def pull(self, tables: Sequence[Table], dt: float) -> None:
-        """Nothing; sends the held ball of each table towards the mouse for a step of `dt`."""
+        """Send the held ball of each table towards the mouse for a step of `dt`."""
         for ball in self.held(tables):
             (x, y), world = ball.position, ball.world
             vx, vy = EAGERNESS * (self.target[0] - x) / dt, EAGERNESS * (self.target[1] - y) / dt
@@ -86,13 +86,13 @@ class Hand:
             ball.velocity = (scale * vx, scale * vy)
 
     def throw(self, tables: Sequence[Table]) -> None:
-        """Nothing; lets the ball go with the velocity of the mouse."""
+        """Let the ball go with the velocity of the mouse."""
         for ball in self.held(tables):
             ball.velocity = self.velocity
         self.drop()
 
     def drop(self) -> None:
-        """Nothing; lets go of whatever is held."""
+        """Let go of whatever is held."""
         self.ball = None
 
     def held(self, tables: Sequence[Table]) -> list[carom.Ball]:

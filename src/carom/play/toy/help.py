@@ -16,7 +16,7 @@ LEFT = 3
 
 
 def draw_help(surface: pygame.Surface, letters: Letters, area: pygame.Rect) -> None:
-    """Nothing; darkens what is there and draws a sheet with all keys."""
+    """Darken what is there and draw a sheet with all keys."""
     veil = pygame.Surface(area.size, pygame.SRCALPHA)
     veil.fill((*colours.PAPER, 190))
     surface.blit(veil, area)

@@ -65,7 +65,7 @@ class Panel:
     # -- making it ---------------------------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        """Nothing; makes the buttons and sliders, row by row."""
+        """Make the buttons and sliders, row by row."""
         makers: Mapping[type, Callable[[Any, int], None]] = {
             Slider: self._make_slider,
             Choice: self._make_choice,
@@ -122,7 +122,7 @@ class Panel:
         return bool(self._area.collidepoint(place))
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Nothing; takes an event of the window."""
+        """Take an event of the window."""
         if event.type == pygame_gui.UI_BUTTON_PRESSED and event.ui_element in self._buttons:
             self._press(*self._buttons[event.ui_element])
         elif event.type == pygame_gui.UI_HORIZONTAL_SLIDER_MOVED and event.ui_element in self._sliders:
@@ -134,7 +134,7 @@ class Panel:
             self._manager.process_events(pygame.event.Event(event.type, event.dict | {"pos": place}))
 
     def _press(self, name: str, value: Any) -> None:
-        """Nothing; does what a button means."""
+        """Do what a button means."""
         if value is not None:
             self._desk.change(name, value)
         else:
@@ -142,14 +142,14 @@ class Panel:
         self.agree()
 
     def _slide(self, row: Slider, part: float) -> None:
-        """Nothing; sets what a slider means."""
+        """Set what a slider means."""
         value = row.at(part)
         if value != self._desk.value(row.name):
             self._desk.change(row.name, value)
         self._busy = True
 
     def agree(self) -> None:
-        """Nothing; shows the desk's settings, which keys may have changed."""
+        """Show the desk's settings, which keys may have changed."""
         for button, (name, value) in self._buttons.items():
             on = self._desk.value(name) == value if value is not None else self._desk.is_on(name)
             if on:
@@ -162,26 +162,26 @@ class Panel:
         self._busy = True
 
     def advance(self, seconds: float) -> None:
-        """Nothing; moves what is being dragged, if the mouse is here."""
+        """Move what is being dragged, if the mouse is here."""
         if self._busy:
             self._manager.update(seconds)
 
     def show(self, texts: dict[str, str], share: float) -> None:
-        """Nothing; the figures are `texts` now, and frames take `share` of their time."""
+        """Show `texts` as the figures, and that frames take `share` of their time."""
         if texts != self._texts or abs(share - self._share) > 0.01:
             self._texts, self._share, self._busy = texts, share, True
 
     # -- its picture -------------------------------------------------------------------------------------------------
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the panel into the window, anew where something on it may have changed."""
+        """Draw the panel into the window, anew where something on it may have changed."""
         if self._busy:
             self._redraw()
             self._busy = self._area.move(-self._area.left, -self._area.top).collidepoint(self._manager.pointer)
         surface.blit(self._picture, self._area)
 
     def _redraw(self) -> None:
-        """Nothing; draws all rows, then buttons and sliders."""
+        """Draw all rows, then buttons and sliders."""
         self._picture.fill(colours.STAGE)
         pygame.draw.line(self._picture, colours.RULE, (0, 0), (0, self._area.height))
         drawers: Mapping[type, Callable[[Any, int], None]] = {

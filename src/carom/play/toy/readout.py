@@ -21,7 +21,7 @@ HINTS = (
 
 
 def draw_reading(surface: pygame.Surface, letters: Letters, area: pygame.Rect, reading: Reading | None) -> None:
-    """Nothing; draws numbers, or hints where there are none."""
+    """Draw numbers, or hints where there are none."""
     surface.fill(colours.PAPER, area)
     x, y = area.left + SIDE, area.top + 8
     title, pairs = ("", HINTS) if reading is None else (reading.title, reading.pairs)

@@ -64,7 +64,7 @@ class Settings:
 
 
 def apply(settings: Settings, world: carom.World, detection: Detection) -> None:
-    """Nothing; sets a world as `settings` say, its detection aside."""
+    """Set a world as `settings` say, its detection aside."""
     for name, act in ACTS.items():
         act(world, getattr(settings, name))
     world.detection = detection
@@ -76,17 +76,17 @@ def _attribute(name: str) -> Callable[[carom.World, Any], None]:
 
 
 def _pull(world: carom.World, gravity: float) -> None:
-    """Nothing; lets balls fall."""
+    """Let balls fall."""
     world.gravity = (0.0, -gravity)
 
 
 def _lift(world: carom.World, speed: float) -> None:
-    """Nothing; lets balls be as fast as they are launched."""
+    """Let balls be as fast as they are launched."""
     world.max_speed = max(USUAL_MOST_SPEED, speed)
 
 
 def _turn(world: carom.World, rotating: bool) -> None:
-    """Nothing; has the parts that can turn do so, or stand."""
+    """Have the parts that can turn do so, or stand."""
     for shape in world.shapes:
         if isinstance(shape, carom.Compound) and shape.rotating != rotating:
             shape.rotating = rotating

@@ -39,13 +39,13 @@ class Table:
         return self.world.add(ball)
 
     def clear(self) -> None:
-        """Nothing; takes all balls out and begins to count anew."""
+        """Take all balls out and begin to count anew."""
         self.world.remove(*self.world.balls)
         self.world.statistics.reset()
         self.launched = 0
 
     def become(self, other: Table) -> None:
-        """Nothing; makes this the very same table as another, down to the bit."""
+        """Make this the very same table as another, down to the bit."""
         self.world.restore(other.world.snapshot())
         self.launched = other.launched
 

@@ -59,15 +59,15 @@ class View:
         return x + self.area.left, y + self.area.top
 
     def note(self, hits: carom.Hits) -> None:
-        """Nothing; takes note of a step."""
+        """Take note of a step."""
         self._live.note(hits)
 
     def forget(self) -> None:
-        """Nothing; forgets tracks and hits."""
+        """Forget tracks and hits."""
         self._live.forget()
 
     def look(self, settings: Settings) -> None:
-        """Nothing; shows what the settings say, where that is not what is shown."""
+        """Show what the settings say, where that is not what is shown."""
         shown = (settings.layers, settings.broad_phase, settings.levels)
         if shown != self._shown:
             if shown[1:] != self._shown[1:]:
@@ -76,7 +76,7 @@ class View:
             self._live.layers = settings.layers
 
     def measure(self) -> None:
-        """Nothing; looks at the broad phase anew where it was set otherwise, or there is a larger ball."""
+        """Look at the broad phase anew where it was set otherwise, or there is a larger ball."""
         largest = max((ball.radius for ball in self.table.world.balls), default=0.0)
         if largest != self._largest:
             if self._largest >= 0.0 and draw.Layer.CELLS in self._live.layers:
@@ -85,7 +85,7 @@ class View:
             self.tree = tree_of(self.table.world)
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the table."""
+        """Draw the table."""
         self._live.draw(surface.subsurface(self.area))
         if self.table.world.statistics.sleeping:
             for ball in self.table.world.balls:
@@ -93,12 +93,12 @@ class View:
                     self._hollow(surface, ball)
 
     def _hollow(self, surface: pygame.Surface, ball: carom.Ball) -> None:
-        """Nothing; makes a ring of a ball that sleeps."""
+        """Make a ring of a ball that sleeps."""
         inside = ball.radius * self._live.frame.scale - WIDE
         pygame.draw.aacircle(surface, colours.STAGE, self.pixel(ball.position), max(1.0, inside))
 
     def mark(self, surface: pygame.Surface, shape: Any) -> None:
-        """Nothing; marks the shape that the mouse points at."""
+        """Mark the shape that the mouse points at."""
         ways: dict[str, Any] = {"segment": self._mark_line, "gate": self._mark_line, "arc": self._mark_arc}
         ways.get(shape.kind, self._mark_round)(surface, shape)
 
@@ -116,7 +116,7 @@ class View:
         pygame.draw.aacircle(surface, colours.ACCENT, self.pixel(shape.position), radius, WIDE - 1)
 
     def mark_throw(self, surface: pygame.Surface, ball: carom.Ball, velocity: Vector, target: Vector) -> None:
-        """Nothing; draws the way to the mouse, and the velocity that a ball would be thrown with."""
+        """Draw the way to the mouse, and the velocity that a ball would be thrown with."""
         x, y = ball.position
         pygame.draw.aaline(surface, colours.MUTED, self.pixel((x, y)), self.pixel(target))
         tip = (x + ARROW * velocity[0], y + ARROW * velocity[1])
@@ -136,7 +136,7 @@ def around(world: carom.World) -> carom.Aabb:
 
 
 def arrow(surface: pygame.Surface, colour: Colour, start: Vector, tip: Vector) -> None:
-    """Nothing; draws an arrow, unless it is shorter than its head."""
+    """Draw an arrow, unless it is shorter than its head."""
     along_x, along_y = tip[0] - start[0], tip[1] - start[1]
     long = hypot(along_x, along_y)
     if long < 10.0:

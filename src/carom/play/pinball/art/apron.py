@@ -15,7 +15,7 @@ CARD = ("S-K-Y  MULTIPLIES THE BONUS", "1-2-3  TWICE: THREE BALLS", "ORBITS PAY 
 
 
 def paint_apron(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
-    """Nothing; paints the apron onto an empty canvas, and leaves its window open."""
+    """Paint the apron onto an empty canvas, and leave its window open."""
     shapes = list(shapes)
     trough = min(outlines(shapes, ("trough",))[0]), max(outlines(shapes, ("trough",))[0])
     wall = trough[1][0]
@@ -37,7 +37,7 @@ def paint_apron(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
 
 
 def paint_trough(canvas: Canvas) -> None:
-    """Nothing; darkens the ground below the apron."""
+    """Darken the ground below the apron."""
     canvas.fill([(0.0, DIP), (LANE_WALL, DIP), (LANE_WALL, FLOOR), (0.0, FLOOR)], (*NIGHT, 215))
 
 
@@ -47,7 +47,7 @@ def _dip(middle: float) -> list[Spot]:
 
 
 def _fans(canvas: Canvas, wall: float) -> None:
-    """Nothing; paints scales of fans over the apron."""
+    """Paint scales of fans over the apron."""
     for row in range(4):
         for column in range(-1, 7):
             center = (column * 3.1 + (1.55 if row % 2 else 0.0), -1.6 + row * 1.55)
@@ -62,7 +62,7 @@ def _fans(canvas: Canvas, wall: float) -> None:
 
 
 def _window(canvas: Canvas, trough: tuple[Spot, Spot]) -> None:
-    """Nothing; cuts a window along the trough, framed in brass."""
+    """Cut a window along the trough, framed in brass."""
     (x, y), (end_x, end_y) = trough
     low, high = WINDOW
     slope = (end_y - y) / (end_x - x)
@@ -83,7 +83,7 @@ def _window(canvas: Canvas, trough: tuple[Spot, Spot]) -> None:
 
 
 def _card(canvas: Canvas, middle: Spot) -> None:
-    """Nothing; paints the card with what is to be done."""
+    """Paint the card with what is to be done."""
     x, y = middle
     half, high = 3.85, 0.82
     corners = [(x - half, y - high), (x - half, y + high), (x + half, y + high), (x + half, y - high)]

@@ -105,7 +105,7 @@ def _back() -> pygame.Surface:
 
 
 def _pattern(back: pygame.Surface) -> None:
-    """Nothing; covers the lacquer with scales of fans."""
+    """Cover the lacquer with scales of fans."""
     for row in range(30):
         for column in range(-1, 9):
             center = (column * 48 + (24 if row % 2 else 0), row * 30)
@@ -114,7 +114,7 @@ def _pattern(back: pygame.Surface) -> None:
 
 
 def _frame(back: pygame.Surface, rect: pygame.Rect) -> None:
-    """Nothing; paints a frame of brass, dark inside where it is not the painting."""
+    """Paint a frame of brass, dark inside where it is not the painting."""
     if rect is not PAINTING:
         pygame.draw.rect(back, (10, 7, 22), rect, border_radius=5)
     for grown, colour, width in ((6, mixed(GOLD, NIGHT, 0.6), 5), (4, GOLD, 3), (2, CREAM, 1)):
@@ -122,7 +122,7 @@ def _frame(back: pygame.Surface, rect: pygame.Rect) -> None:
 
 
 def _heaven(canvas: Canvas) -> None:
-    """Nothing; paints stars, the tail of the comet and the sun."""
+    """Paint stars, the tail of the comet and the sun."""
     seeded = np.random.default_rng(1682)
     for x, height, size in seeded.random((120, 3)):
         canvas.disc(
@@ -150,7 +150,7 @@ def _tail(head: Spot, wide: float, reach: float) -> list[Spot]:
 
 
 def _city(canvas: Canvas) -> None:
-    """Nothing; paints a skyline of towers in two rows, lit windows, and an observatory before the sun."""
+    """Paint a skyline of towers in two rows, lit windows, and an observatory before the sun."""
     seeded = np.random.default_rng(1930)
     for colour, low, high, step in ((mixed(VIOLET, NIGHT, 0.5), 7.0, 11.6, 1.55), (NIGHT, 5.6, 9.2, 1.75)):
         x = -1.0
@@ -162,7 +162,7 @@ def _city(canvas: Canvas) -> None:
 
 
 def _tower(canvas: Canvas, x: float, wide: float, height: float, colour: Colour, seeded: np.random.Generator) -> None:
-    """Nothing; paints a tower with steps and a needle, and lights some of its windows."""
+    """Paint a tower with steps and a needle, and light some of its windows."""
     middle = x + wide / 2.0
     for share, top in ((1.0, height), (0.66, height + 0.55), (0.34, height + 1.0), (0.06, height + 1.9)):
         half = wide * share / 2.0
@@ -184,7 +184,7 @@ def _tower(canvas: Canvas, x: float, wide: float, height: float, colour: Colour,
 
 
 def _observatory(canvas: Canvas, foot: Spot) -> None:
-    """Nothing; paints an observatory on its hill, its telescope out."""
+    """Paint an observatory on its hill, its telescope out."""
     x, y = foot
     canvas.fill([*bow((x, y - 6.4), 6.6, 0.45, pi - 0.45)], NIGHT)
     for half, low, high, colour in ((1.9, -0.4, 0.7, INDIGO), (1.5, 0.7, 1.2, mixed(INDIGO, VIOLET, 0.4))):
@@ -199,7 +199,7 @@ def _observatory(canvas: Canvas, foot: Spot) -> None:
 
 
 def _neon(picture: pygame.Surface, word: str, rect: pygame.Rect, gap: float, colour: Colour) -> None:
-    """Nothing; writes a word in tubes of neon, which light up what is round them."""
+    """Write a word in tubes of neon, which light up what is round them."""
     wide = (rect.width - gap * (len(word) - 1)) / len(word)
     width, height = picture.get_size()
     canvas = Canvas(carom.Aabb(0.0, 0.0, width, height), 1.0)

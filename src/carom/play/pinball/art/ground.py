@@ -61,7 +61,7 @@ def _rays(x: NDArray[np.floating], y: NDArray[np.floating], scale: float) -> NDA
 
 
 def paint_print(canvas: Canvas) -> None:
-    """Nothing; paints the heavens over the sky."""
+    """Paint the heavens over the sky."""
     _stars(canvas)
     _comet(canvas)
     _system(canvas)
@@ -70,7 +70,7 @@ def paint_print(canvas: Canvas) -> None:
 
 
 def _stars(canvas: Canvas) -> None:
-    """Nothing; strews stars, denser towards the top."""
+    """Strew stars, denser towards the top."""
     seeded = np.random.default_rng(1910)
     for x, height, size in seeded.random((260, 3)):
         spot = (20.6 * x - 0.3, 42.2 - 27.0 * height**1.4)
@@ -91,7 +91,7 @@ def _stars(canvas: Canvas) -> None:
 
 
 def _comet(canvas: Canvas) -> None:
-    """Nothing; paints the comet over the lanes, its tails bent along the dome."""
+    """Paint the comet over the lanes, its tails bent along the dome."""
     head = (14.15, 38.05)
     center = (10.0, 32.0)
     for tail, (colour, wide, angle, sure) in enumerate(
@@ -117,7 +117,7 @@ def _comet(canvas: Canvas) -> None:
 
 
 def _system(canvas: Canvas) -> None:
-    """Nothing; paints the paths of planets round the middle of the bumpers, and the shine of each bumper's place."""
+    """Paint the paths of planets round the middle of the bumpers, and the shine of each bumper's place."""
     for radius, colour, sure in ((3.42, TEAL, 130), (4.6, CREAM, 70), (5.9, TEAL, 80)):
         canvas.stroke(ring(SYSTEM, radius), 0.07, (*colour, sure), closed=True)
     for number in range(48):
@@ -136,7 +136,7 @@ def _system(canvas: Canvas) -> None:
 
 
 def _compass(canvas: Canvas, hub: Spot) -> None:
-    """Nothing; paints a compass rose under the spinner."""
+    """Paint a compass rose under the spinner."""
     canvas.disc(hub, 2.35, (*NIGHT, 150))
     canvas.stroke(ring(hub, 2.35), 0.1, (*GOLD, 220), closed=True)
     canvas.stroke(ring(hub, 2.12), 0.04, (*GOLD, 170), closed=True)
@@ -149,7 +149,7 @@ def _compass(canvas: Canvas, hub: Spot) -> None:
 
 
 def _sun(canvas: Canvas) -> None:
-    """Nothing; paints the sun that rises behind the apron, in bands."""
+    """Paint the sun that rises behind the apron, in bands."""
     for radius, colour in ((4.1, CORAL), (3.55, NIGHT), (3.4, GOLD), (2.6, mixed(GOLD, CREAM, 0.5)), (1.9, CREAM)):
         canvas.disc(SUN, radius, (*colour, 225))
     for number in range(-3, 4):
@@ -158,7 +158,7 @@ def _sun(canvas: Canvas) -> None:
 
 
 def _planet(canvas: Canvas, center: Spot, radius: float) -> None:
-    """Nothing; paints a banded planet with a ring round it."""
+    """Paint a banded planet with a ring round it."""
     tilt = 0.36
     canvas.light(center, radius * 3.0, VIOLET, 0.9)
     loop = [

@@ -137,7 +137,7 @@ def _middle(shape: AnyShape) -> Spot:
 
 
 def paint_unlit(canvas: Canvas, found: Mapping[str, Lens]) -> None:
-    """Nothing; paints all lenses as they look unlit."""
+    """Paint all lenses as they look unlit."""
     for lens in found.values():
         canvas.fill(lens.grown(0.13), CREAM)
         canvas.fill(lens.grown(0.05), NIGHT)
@@ -147,7 +147,7 @@ def paint_unlit(canvas: Canvas, found: Mapping[str, Lens]) -> None:
 
 
 def _facets(canvas: Canvas, lens: Lens, colour: Colour) -> None:
-    """Nothing; paints the facets of a lens: every other wedge of it."""
+    """Paint the facets of a lens: every other wedge of it."""
     edge = lens.grown(-0.06)
     step = max(1, len(edge) // 24)
     for number in range(0, len(edge), 2 * step):
@@ -156,7 +156,7 @@ def _facets(canvas: Canvas, lens: Lens, colour: Colour) -> None:
 
 
 def _inscribe(canvas: Canvas, lens: Lens, colour: Colour) -> None:
-    """Nothing; writes what is on a lens, line below line."""
+    """Write what is on a lens, line below line."""
     lines = lens.word.split("\n") if lens.word else []
     x, y = lens.spot
     for number, line in enumerate(lines):

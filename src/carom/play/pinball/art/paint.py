@@ -98,7 +98,7 @@ class Canvas:
         return round(x / FINER), round(y / FINER)
 
     def fill(self, spots: Iterable[Spot], colour: Sequence[int]) -> None:
-        """Nothing; fills a polygon; a colour of four numbers is laid over what is there."""
+        """Fill a polygon; a colour of four numbers is laid over what is there."""
         pixels = [self.at(spot) for spot in spots]
         if len(colour) == 3 or colour[3] == 255:
             pygame.draw.polygon(self.picture, colour, pixels)
@@ -110,15 +110,15 @@ class Canvas:
         self.picture.blit(layer, (left, top))
 
     def clear(self, spots: Iterable[Spot]) -> None:
-        """Nothing; cuts a polygon out."""
+        """Cut a polygon out."""
         pygame.draw.polygon(self.picture, (0, 0, 0, 0), [self.at(spot) for spot in spots])
 
     def disc(self, center: Spot, radius: float, colour: Sequence[int]) -> None:
-        """Nothing; fills a circle."""
+        """Fill a circle."""
         self.fill(bow(center, radius, 0.0, 2.0 * pi, 0.1)[:-1], colour)
 
     def stroke(self, spots: Sequence[Spot], width: float, colour: Sequence[int], closed: bool = False) -> None:
-        """Nothing; draws a path of some width in units, with round joints and ends."""
+        """Draw a path of some width in units, with round joints and ends."""
         if len(colour) == 4 and colour[3] < 255:
             self._laid(spots, width, colour, closed)
             return
@@ -140,7 +140,7 @@ class Canvas:
                 pygame.draw.circle(self.picture, colour, pixel, half)
 
     def _laid(self, spots: Sequence[Spot], width: float, colour: Sequence[int], closed: bool) -> None:
-        """Nothing; draws a path of a colour that is seen through, evenly where the path meets itself."""
+        """Draw a path of a colour that is seen through, evenly where the path meets itself."""
         with self.layer(colour[3]):
             self.stroke(spots, width, tuple(colour[:3]), closed)
 
@@ -155,14 +155,14 @@ class Canvas:
         self.picture.blit(sheet, (aside[0] * self.fine, -aside[1] * self.fine))
 
     def light(self, center: Spot, radius: float, colour: Colour, strength: float = 1.0, power: float = 2.0) -> None:
-        """Nothing; adds light that fades from `center` to nothing at `radius`."""
+        """Add light that fades from `center` to nothing at `radius`."""
         shine = glow(round(radius * self.fine), colour, strength, power)
         x, y = self.at(center)
         corner = (x - shine.get_width() / 2.0, y - shine.get_height() / 2.0)
         self.picture.blit(shine, corner, special_flags=pygame.BLEND_RGB_ADD)
 
     def words(self, text: str, center: Spot, size: float, colour: Colour, apart: float = 0.0) -> None:
-        """Nothing; writes words round their middle: `size` and the room between letters are in units."""
+        """Write words round their middle: `size` and the room between letters are in units."""
         pygame.font.init()
         font = load(round(LETTERS * size * self.fine))
         letters = [font.render(letter, True, colour) for letter in text]
@@ -176,7 +176,7 @@ class Canvas:
         self.paste(line, center)
 
     def paste(self, picture: pygame.Surface, center: Spot) -> None:
-        """Nothing; lays a picture of the large size over the canvas, its middle at a point."""
+        """Lay a picture of the large size over the canvas, its middle at a point."""
         x, y = self.at(center)
         self.picture.blit(picture, (x - picture.get_width() / 2.0, y - picture.get_height() / 2.0))
 

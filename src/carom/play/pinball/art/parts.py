@@ -91,7 +91,7 @@ def band_of(part: carom.Compound) -> list[Spot]:
 
 
 def paint_parts(canvas: Canvas, world: carom.World) -> None:
-    """Nothing; paints all that stands still, with its shadow, and the cabinet round it."""
+    """Paint all that stands still, with its shadow, and the cabinet round it."""
     shapes = world.shapes
     with canvas.layer(110, SHADOW):
         for path in outlines(shapes, RAILS):
@@ -117,20 +117,20 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
 
 
 def rail(canvas: Canvas, path: list[Spot]) -> None:
-    """Nothing; paints a rail of bent steel."""
+    """Paint a rail of bent steel."""
     canvas.stroke(path, 0.3, DARK_STEEL)
     canvas.stroke(path, 0.17, STEEL)
     canvas.stroke([(x - 0.03, y + 0.03) for x, y in path], 0.06, (255, 255, 255))
 
 
 def rubber(canvas: Canvas, path: list[Spot], colour: Colour = CREAM) -> None:
-    """Nothing; paints a rubber ring."""
+    """Paint a rubber ring."""
     canvas.stroke(path, 0.22, mixed(colour, NIGHT, 0.55), closed=True)
     canvas.stroke(path, 0.13, colour, closed=True)
 
 
 def post(canvas: Canvas, center: Spot, radius: float) -> None:
-    """Nothing; paints a post with a rubber and a cap of brass."""
+    """Paint a post with a rubber and a cap of brass."""
     canvas.disc((center[0] + SHADOW[0], center[1] + SHADOW[1]), radius, (0, 0, 0, 110))
     canvas.disc(center, radius + 0.02, mixed(CREAM, NIGHT, 0.4))
     canvas.disc(center, radius * 0.86, CREAM)
@@ -154,7 +154,7 @@ def _slingshots(shapes: Iterable[AnyShape]) -> list[list[Spot]]:
 
 
 def _lane_guide(canvas: Canvas, path: list[Spot]) -> None:
-    """Nothing; paints a guide between two lanes."""
+    """Paint a guide between two lanes."""
     canvas.fill(path, CORAL)
     rubber(canvas, path)
     middle_x = sum(x for x, _ in path) / len(path)
@@ -164,7 +164,7 @@ def _lane_guide(canvas: Canvas, path: list[Spot]) -> None:
 
 
 def _slingshot(canvas: Canvas, path: list[Spot]) -> None:
-    """Nothing; paints a slingshot: a plastic with rings inside its rubber."""
+    """Paint a slingshot: a plastic with rings inside its rubber."""
     x, y = sum(spot[0] for spot in path) / len(path), sum(spot[1] for spot in path) / len(path)
     for share, colour in ((1.0, INDIGO), (0.84, TEAL), (0.72, NIGHT), (0.6, CORAL), (0.4, GOLD), (0.2, CREAM)):
         canvas.fill([(x + (a - x) * share, y + (b - y) * share) for a, b in path], colour)
@@ -177,7 +177,7 @@ def _slingshot(canvas: Canvas, path: list[Spot]) -> None:
 
 
 def paint_shoulder(canvas: Canvas, shapes: Iterable[AnyShape], side: str) -> None:
-    """Nothing; paints the bulge of one wall: a plastic in stripes, and the target on its face."""
+    """Paint the bulge of one wall: a plastic in stripes, and the target on its face."""
     names = (f"{side} shoulder", f"{side} target")
     paths = outlines(shapes, names)
     if not paths:
@@ -198,7 +198,7 @@ def paint_shoulder(canvas: Canvas, shapes: Iterable[AnyShape], side: str) -> Non
 
 
 def _gate(canvas: Canvas, gate: carom.Gate) -> None:
-    """Nothing; paints a gate: a wire between two hinges, and the way it opens."""
+    """Paint a gate: a wire between two hinges, and the way it opens."""
     (x, y), (end_x, end_y) = gate.p0, gate.p1
     canvas.stroke([(x + SHADOW[0], y + SHADOW[1]), (end_x + SHADOW[0], end_y + SHADOW[1])], 0.1, (0, 0, 0, 110))
     canvas.stroke([gate.p0, gate.p1], 0.14, DARK_STEEL)
@@ -209,7 +209,7 @@ def _gate(canvas: Canvas, gate: carom.Gate) -> None:
 
 
 def _lane(canvas: Canvas) -> None:
-    """Nothing; paints the plunger lane: a dark channel with chevrons that climb."""
+    """Paint the plunger lane: a dark channel with chevrons that climb."""
     canvas.fill([(LANE_WALL, -1.2), (WIDTH, -1.2), (WIDTH, 31.6), (LANE_WALL, 30.8)], (*NIGHT, 190))
     for number in range(13):
         y = 7.0 + number * 1.9
@@ -220,7 +220,7 @@ def _lane(canvas: Canvas) -> None:
 
 
 def _cabinet(canvas: Canvas, shapes: Iterable[AnyShape]) -> None:
-    """Nothing; paints the lacquered cabinet round the field, with fans in its corners and a trim of brass."""
+    """Paint the lacquered cabinet round the field, with fans in its corners and a trim of brass."""
     box = canvas.box
     field = _field(shapes)
     frame = [(box.left, box.bottom), (box.left, box.top), (box.right, box.top), (box.right, box.bottom)]
@@ -243,7 +243,7 @@ def _field(shapes: Iterable[AnyShape]) -> list[Spot]:
 
 
 def _fan(canvas: Canvas, corner: Spot, begin: float) -> None:
-    """Nothing; paints a fan of rays and rings into a corner outside the dome."""
+    """Paint a fan of rays and rings into a corner outside the dome."""
     for number in range(9):
         angle = begin + number * pi / 16.0
         canvas.fill(

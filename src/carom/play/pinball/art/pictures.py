@@ -65,7 +65,7 @@ class Art:
         self._moving(world)
 
     def _round(self, world: carom.World) -> None:
-        """Nothing; paints bumpers, balls and lights."""
+        """Paint bumpers, balls and lights."""
         self.bumpers: dict[str, tuple[pygame.Surface, ...]] = {}
         self.shine: dict[str, pygame.Surface] = {}
         self.bumper_places: dict[str, tuple[float, float]] = {}
@@ -90,7 +90,7 @@ class Art:
         self.plunger = art_sprites.plunger(SCALE)
 
     def _moving(self, world: carom.World) -> None:
-        """Nothing; paints what turns and what drops."""
+        """Paint what turns and what drops."""
         self.flippers: dict[str, tuple[pygame.Surface, ...]] = {}
         self.pivots: dict[str, tuple[float, float]] = {}
         self.targets: dict[str, tuple[pygame.Surface, pygame.Surface, tuple[int, int]]] = {}

@@ -74,13 +74,13 @@ class Foresight:
         return worth + HEIGHT * y
 
     def _change(self, presses: Presses, now: int) -> None:
-        """Nothing; presses or lets go what changes at a step."""
+        """Press or let go what changes at a step."""
         for flipper, ats in ((self.table.left, presses.left), (self.table.right, presses.right)):
             if now in ats:
                 flipper.press(not flipper.pressed)
 
     def _set(self, real: Table, state: State) -> None:
-        """Nothing; sets the table as the real one stands, with the ball in a state of x, y and velocity."""
+        """Set the table as the real one stands, with the ball in a state of x, y and velocity."""
         table = self.table
         x, y, vx, vy = state
         self.ball.position = (x, y)

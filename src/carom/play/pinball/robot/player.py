@@ -55,14 +55,14 @@ class Player:
         return Foresight()
 
     def begin(self) -> None:
-        """Nothing; forgets what was planned, for a new game."""
+        """Forget what was planned, for a new game."""
         self._step = 0
         self._due: list[tuple[int, Control, bool]] = []
         self._thought: Iterator[None] | None = None
         self._busy = self._wary = 0
 
     def tick(self) -> None:
-        """Nothing; presses what it thinks right before the next step."""
+        """Press what it thinks right before the next step."""
         self._step += 1
         if self._due:
             self._press_due()
@@ -72,20 +72,20 @@ class Player:
             self._decide()
 
     def _press_due(self) -> None:
-        """Nothing; presses what is due now."""
+        """Press what is due now."""
         ripe = [entry for entry in self._due if entry[0] <= self._step]
         for entry in ripe:
             self._due.remove(entry)
             self._press(entry[1], entry[2])
 
     def _plan(self, wait: int, control: Control, down: bool) -> None:
-        """Nothing; will press a control, or let it go, so many steps from now."""
+        """Press a control, or let it go, so many steps from now."""
         self._due.append((self._step + wait, control, down))
 
     # -- what to think about -----------------------------------------------------------------------------------------
 
     def _decide(self) -> None:
-        """Nothing; looks at where balls are, and begins to think about the one that will be lost first."""
+        """Look at where balls are, and begin to think about the one that will be lost first."""
         if self._game.phase is Phase.ENTRY:
             self._tap(Control.PLUNGER, 60)
             return
@@ -110,7 +110,7 @@ class Player:
         return next((pull for name, pull in PULLS.items() if lamps[name] is LampState.BLINK), PULLS["middle lane"])
 
     def _keep_out(self, state: State) -> None:
-        """Nothing; nudges the table, if that keeps a ball out of an outlane."""
+        """Nudge the table, if that keeps a ball out of an outlane."""
         self._wary = self._step + SIDE_REST
         table, nothing = self._game.table, Presses()
         worth = self._foresight.worth(table, state, nothing, SIDE_AHEAD)
@@ -124,12 +124,12 @@ class Player:
                 return
 
     def _tap(self, control: Control, steps: int) -> None:
-        """Nothing; presses a control now, and lets it go after some steps."""
+        """Press a control now, and let it go after some steps."""
         self._plan(1, control, True)
         self._plan(1 + steps, control, False)
 
     def _let_go(self) -> None:
-        """Nothing; lets the flippers fall that are held."""
+        """Let the flippers fall that are held."""
         for control, flipper in ((Control.LEFT, self._game.table.left), (Control.RIGHT, self._game.table.right)):
             if flipper.pressed and not any(due is control for _, due, _ in self._due):
                 self._plan(1, control, False)
@@ -137,14 +137,14 @@ class Player:
     # -- thinking ----------------------------------------------------------------------------------------------------
 
     def _think_on(self, thought: Iterator[None]) -> None:
-        """Nothing; does a step of thinking."""
+        """Do a step of thinking."""
         try:
             next(thought)
         except StopIteration:
             self._thought = None
 
     def _think(self, state: State) -> Iterator[None]:
-        """Nothing; tries what can be done about a ball, something in each step, and plans the best."""
+        """Try what can be done about a ball, something in each step, and plan the best."""
         began = self._step
         table = self._game.table
         held = (table.left.pressed, table.right.pressed)
@@ -181,7 +181,7 @@ class Player:
         return options
 
     def _carry_out(self, presses: Presses, held: tuple[bool, bool], gone: int) -> None:
-        """Nothing; plans presses that were thought out so many steps ago."""
+        """Plan presses that were thought out so many steps ago."""
         late = self._random.randrange(LATE)
         self._busy = self._step + 4 * DECIDE
         for control, ats, down in ((Control.LEFT, presses.left, held[0]), (Control.RIGHT, presses.right, held[1])):

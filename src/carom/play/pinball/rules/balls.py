@@ -60,7 +60,7 @@ class Balls:
         return state
 
     def clear(self) -> None:
-        """Nothing; takes all balls out, and begins a new ledger."""
+        """Take all balls out, and begin a new ledger."""
         for ball in list(self.states):
             self.take(ball)
         self.ledger = Ledger()
@@ -123,6 +123,6 @@ class Balls:
         return freed
 
     def _push(self, ball: carom.Ball, speed: float) -> None:
-        """Nothing; gives a ball a speed in some direction upward."""
+        """Give a ball a speed in some direction upward."""
         angle = self._random.uniform(0.6, 2.5)
         ball.velocity = (speed * cos(angle), speed * sin(angle))

@@ -24,7 +24,7 @@ class Entry:
         return "".join(LETTERS[letter] for letter in self._letters)
 
     def turn(self, step: int) -> None:
-        """Nothing; takes the next letter, or the one before, round and round."""
+        """Take the next letter, or the one before, round and round."""
         self._letters[self.place] = (self._letters[self.place] + step) % len(LETTERS)
 
     def accept(self) -> bool:

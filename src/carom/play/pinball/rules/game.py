@@ -172,7 +172,7 @@ class Pinball:
     # -- what can be done --------------------------------------------------------------------------------------------
 
     def press(self, control: Control, down: bool) -> None:
-        """Nothing; presses a control or lets it go, before the next step.
+        """Press a control or let it go, before the next step.
 
         While the demonstration plays, only `START` is heeded.
         """
@@ -184,7 +184,7 @@ class Pinball:
             self._start_game()
 
     def tick(self) -> None:
-        """Nothing; makes one step of `STEP` seconds."""
+        """Make one step of `STEP` seconds."""
         if self._demo is not None:
             self._demo.tick()
         self._steps += 1
@@ -197,14 +197,14 @@ class Pinball:
     # -- games and balls ---------------------------------------------------------------------------------------------
 
     def _begin_demo(self) -> None:
-        """Nothing; begins a game that plays itself."""
+        """Begin a game that plays itself."""
         self._demo = Player(
             self, self._random.randrange(2**32), lambda control, down: self._presses.append((control, down))
         )
         self._start_game()
 
     def _start_game(self) -> None:
-        """Nothing; begins a game with its first ball."""
+        """Begin a game with its first ball."""
         self._balls.clear()
         self.table.reset()
         self._rules.start_game()
@@ -214,7 +214,7 @@ class Pinball:
         self._tell(EventKind.GAME_START)
 
     def _start_ball(self) -> None:
-        """Nothing; serves the next ball of the game."""
+        """Serve the next ball of the game."""
         self._stage = Phase.PLAY
         self._wait = 0
         self.plunger_pull = 0.0
@@ -227,23 +227,23 @@ class Pinball:
         self._serve()
 
     def _serve(self) -> None:
-        """Nothing; puts a ball on the plunger."""
+        """Put a ball on the plunger."""
         ball = self._balls.serve()
         self._tell(EventKind.SERVE, "plunger", ball.position)
         self._wait = 0
 
     def _emit(self, event: Event) -> None:
-        """Nothing; notes an event."""
+        """Note an event."""
         self._journal.note(event, self._rules.multiball)
 
     def _tell(self, kind: EventKind, part: str = "", place: tuple[float, float] = (0.0, 0.0), score: int = 0) -> None:
-        """Nothing; notes an event in which nothing was struck."""
+        """Note an event in which nothing was struck."""
         self._emit(Event(kind, part, place, 0.0, score))
 
     # -- controls ----------------------------------------------------------------------------------------------------
 
     def _heed(self, control: Control, down: bool) -> None:
-        """Nothing; does what a press means in the phase that the game is in."""
+        """Do what a press means in the phase that the game is in."""
         if self._stage is Phase.PLAY:
             self._heed_play(control, down)
         elif self._stage is Phase.ENTRY:
@@ -254,7 +254,7 @@ class Pinball:
             self._flipper(control).press(False)
 
     def _heed_play(self, control: Control, down: bool) -> None:
-        """Nothing; moves flippers and plunger, or nudges."""
+        """Move flippers and plunger, or nudge."""
         if control in (Control.LEFT, Control.RIGHT):
             self._flip(control, down)
         elif control is Control.PLUNGER:
@@ -267,14 +267,14 @@ class Pinball:
         return self.table.left if control is Control.LEFT else self.table.right
 
     def _flip(self, control: Control, down: bool) -> None:
-        """Nothing; raises a flipper, unless the table is tilted, and moves the lit lanes; or lets it fall."""
+        """Raise a flipper, unless the table is tilted, and move the lit lanes; or let it fall."""
         flipper = self._flipper(control)
         if flipper.press(down and not self.tilted):
             self._rules.change_lanes(-1 if control is Control.LEFT else 1)
             self._tell(EventKind.FLIPPER, f"{control.value} flipper", flipper.shape.pivot)
 
     def _plunge(self, down: bool) -> None:
-        """Nothing; begins to draw the plunger, or lets it go."""
+        """Begin to draw the plunger, or let it go."""
         if down:
             self._pulling = True
         elif self._pulling:
@@ -283,7 +283,7 @@ class Pinball:
             self.plunger_pull = 0.0
 
     def _launch(self, speed: float) -> None:
-        """Nothing; has the plunger kick with a speed in this step."""
+        """Have the plunger kick with a speed in this step."""
         state = self._balls.on_plunger()
         self.table.plunger.kick = speed
         self._kicking = True
@@ -291,7 +291,7 @@ class Pinball:
             self._emit(Event(EventKind.LAUNCH, "plunger", state.ball.position, speed))
 
     def _nudge(self, control: Control) -> None:
-        """Nothing; pushes the table, which moves every ball on the field; too much of it brings warnings and tilt."""
+        """Push the table, which moves every ball on the field; too much of it brings warnings and tilt."""
         if self.tilted:
             return
         along, up = NUDGES[control]
@@ -309,7 +309,7 @@ class Pinball:
             self._tilt()
 
     def _tilt(self) -> None:
-        """Nothing; lets the flippers fall for the rest of the ball."""
+        """Let the flippers fall for the rest of the ball."""
         self._rules.tilt()
         self._owed = 0
         self.table.left.press(False)
@@ -319,7 +319,7 @@ class Pinball:
     # -- play --------------------------------------------------------------------------------------------------------
 
     def _tick_play(self) -> None:
-        """Nothing; a step in which balls roll."""
+        """Make a step in which balls roll."""
         hits = self.world.step(STEP)
         if self._kicking:
             self.table.plunger.kick = 0.0
@@ -332,7 +332,7 @@ class Pinball:
         self._settle()
 
     def _watch(self) -> None:
-        """Nothing; looks where balls are: some come onto the field, and one that strays is taken and owed."""
+        """Look where balls are: some come onto the field, and one that strays is taken and owed."""
         entered, strays = self._balls.watch()
         for state in entered:
             self._enter(state)
@@ -341,7 +341,7 @@ class Pinball:
             self._owed += 1
 
     def _pass_time(self) -> None:
-        """Nothing; lets a step's time pass for rules, plunger, spinner and what rests."""
+        """Let a step's time pass for rules, plunger, spinner and what rests."""
         self._rules.tick()
         self._journal.tick()
         if self._pulling:
@@ -362,7 +362,7 @@ class Pinball:
             self._rules.raise_bank([state.ball.position for state in self._balls.in_play])
 
     def _hear(self, hits: Any) -> None:
-        """Nothing; tells the rules what was struck and crossed, and takes the balls that drained."""
+        """Tell the rules what was struck and crossed, and take the balls that drained."""
         for _, kind, ball, shape, point, normal, _, _, impulse in hits.view(np.ndarray).tolist():
             part = self.table.parts.get(shape)
             place = (float(point[0]), float(point[1]))
@@ -372,7 +372,7 @@ class Pinball:
                 self._hear_crossing(part, ball)
 
     def _hear_bounce(self, part: Part | None, place: tuple[float, float], normal: Any, impulse: float) -> None:
-        """Nothing; tells the rules of a bounce off a part, or off another ball."""
+        """Tell the rules of a bounce off a part, or off another ball."""
         if impulse < GENTLE:
             return
         if part is None:
@@ -384,7 +384,7 @@ class Pinball:
             self._rules.meet(part, place, impulse)
 
     def _hear_crossing(self, part: Part, ball: int) -> None:
-        """Nothing; tells the rules of a rollover, an orbit only upward; a ball in the drain is taken."""
+        """Tell the rules of a rollover, an orbit only upward; a ball in the drain is taken."""
         if part.kind is EventKind.DRAIN:
             self._drain(ball)
             return
@@ -394,7 +394,7 @@ class Pinball:
         self._rules.meet(part, part.place, 0.0)
 
     def _enter(self, state: BallState) -> None:
-        """Nothing; a ball comes through the launch gate onto the field."""
+        """Take note of a ball that comes through the launch gate onto the field."""
         self._tell(EventKind.GATE, "launch gate", state.ball.position)
         if self.ledger.in_play == 1 and not self._automatic:
             self._rules.enter()
@@ -403,7 +403,7 @@ class Pinball:
     # -- ends --------------------------------------------------------------------------------------------------------
 
     def _drain(self, ball: int) -> None:
-        """Nothing; takes a ball from the drain, and owes one for it where it is saved."""
+        """Take a ball from the drain, and owe one for it where it is saved."""
         state = self._balls.take(ball)
         if state is None:
             return
@@ -414,7 +414,7 @@ class Pinball:
             self._tell(EventKind.SAVE, "", place)
 
     def _settle(self) -> None:
-        """Nothing; serves balls that are owed, launches those, and ends multiball and the ball."""
+        """Serve balls that are owed, launch those, and end multiball and the ball."""
         due = self._owed + self._rules.balls_due
         if due and not self.ledger.held:
             if self._owed:
@@ -433,7 +433,7 @@ class Pinball:
             self._end_ball()
 
     def _end_ball(self) -> None:
-        """Nothing; begins to count the bonus up."""
+        """Begin to count the bonus up."""
         self._stage = Phase.BONUS
         self._wait = 0
         self.plunger_pull, self._pulling = 0.0, False
@@ -441,7 +441,7 @@ class Pinball:
         self.table.right.press(False)
 
     def _tick_bonus(self) -> None:
-        """Nothing; a step of counting the bonus up, after which the next ball or the end comes."""
+        """Make a step of counting the bonus up, after which the next ball or the end comes."""
         self.world.step(STEP)
         self._wait += 1
         if self._wait % BONUS_STEP:
@@ -459,7 +459,7 @@ class Pinball:
             self._end_game()
 
     def _end_game(self) -> None:
-        """Nothing; ends the game, with initials to choose where the score is high enough."""
+        """End the game, with initials to choose where the score is high enough."""
         self._tell(EventKind.GAME_OVER)
         self._wait = -GUARD
         self._stage = Phase.OVER
@@ -469,7 +469,7 @@ class Pinball:
             self._tell(EventKind.KNOCK)
 
     def _heed_entry(self, control: Control, down: bool) -> None:
-        """Nothing; changes a letter, or accepts it."""
+        """Change a letter, or accept it."""
         if not down or self._wait < 0:
             return
         self._wait = 0
@@ -479,20 +479,20 @@ class Pinball:
             self._keep_score()
 
     def _keep_score(self) -> None:
-        """Nothing; keeps the score under the initials."""
+        """Keep the score under the initials."""
         self.high_scores.add(self._entry.initials, self.score)
         self._stage = Phase.OVER
         self._wait = -GUARD
 
     def _tick_entry(self) -> None:
-        """Nothing; a step of choosing initials, which are taken as they stand when nothing was pressed for long."""
+        """Make a step of choosing initials, which are taken as they stand when nothing was pressed for long."""
         self.world.step(STEP)
         self._wait += 1
         if self._wait >= ENTRY_TIME:
             self._keep_score()
 
     def _tick_over(self) -> None:
-        """Nothing; a step after the end, until the demonstration begins."""
+        """Make a step after the end, until the demonstration begins."""
         self.world.step(STEP)
         self._wait += 1
         if self._wait >= OVER_TIME:

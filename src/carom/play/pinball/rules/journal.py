@@ -33,7 +33,7 @@ class Journal:
         self._words, self._left = "", 0
 
     def note(self, event: Event, multiball: bool = False) -> None:
-        """Nothing; keeps an event, and the words for it."""
+        """Keep an event, and the words for it."""
         self._events.append(event)
         jackpot = multiball and event.kind in JACKPOTS and event.score > 0
         words = "JACKPOT" if jackpot else NOTICES.get(event.kind)
@@ -51,10 +51,10 @@ class Journal:
         return self._words if self._left else ""
 
     def tick(self) -> None:
-        """Nothing; lets a step's time pass."""
+        """Let a step's time pass."""
         if self._left:
             self._left -= 1
 
     def clear(self) -> None:
-        """Nothing; takes the words away."""
+        """Take the words away."""
         self._left = 0

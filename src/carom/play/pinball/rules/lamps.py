@@ -57,14 +57,14 @@ class Lamps(Mapping[str, LampState]):
         return len(self._states)
 
     def put(self, state: LampState, *names: str) -> None:
-        """Nothing; has lamps burn so."""
+        """Have lamps burn so."""
         for name in names:
             if name not in self._states:
                 raise KeyError(name)
             self._states[name] = state
 
     def put_out(self) -> None:
-        """Nothing; puts all lamps out."""
+        """Put all lamps out."""
         self.put(LampState.OFF, *NAMES)
 
     def all_on(self, names: tuple[str, ...]) -> bool:

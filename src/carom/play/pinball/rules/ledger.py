@@ -28,17 +28,17 @@ class Ledger:
     freed: int = 0
 
     def serve(self) -> None:
-        """Nothing; books a new ball in the plunger lane."""
+        """Book a new ball in the plunger lane."""
         self.created += 1
         self.held += 1
 
     def enter(self) -> None:
-        """Nothing; books a ball that came from the plunger lane onto the field."""
+        """Book a ball that came from the plunger lane onto the field."""
         self.held -= 1
         self.in_play += 1
 
     def take(self, held: bool, stray: bool = False) -> None:
-        """Nothing; books a ball out, from the plunger lane or the field, as drained or as a stray."""
+        """Book a ball out, from the plunger lane or the field, as drained or as a stray."""
         if held:
             self.held -= 1
         else:

@@ -71,13 +71,13 @@ class Rules:
     # -- beginnings --------------------------------------------------------------------------------------------------
 
     def start_game(self) -> None:
-        """Nothing; sets all back for a new game."""
+        """Set all back for a new game."""
         self.score = 0
         self.extra_ball = self._extra_given = False
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Nothing; sets back what lasts for a ball: lamps, bonus, banks."""
+        """Set back what lasts for a ball: lamps, bonus, banks."""
         self.bonus, self.multiplier = 0, 1
         self.balls_due = 0
         self.multiball = self.tilted = False
@@ -97,7 +97,7 @@ class Rules:
         return ("shoot again",) if self.extra_ball else ()
 
     def enter(self) -> None:
-        """Nothing; begins the ball save and the chance of a skill shot, as the first ball comes onto the field."""
+        """Begin the ball save and the chance of a skill shot, as the first ball comes onto the field."""
         if self.tilted:
             return
         self.saver_left = max(self.saver_left, SAVER * RATE)
@@ -105,7 +105,7 @@ class Rules:
         self.lamps.put(BLINK, "shoot again")
 
     def tilt(self) -> None:
-        """Nothing; takes the bonus, the ball save and what was due, and puts the lamps out until the next ball."""
+        """Take the bonus, the ball save and what was due, and put the lamps out until the next ball."""
         self.tilted, self.multiball = True, False
         self.bonus = self.saver_left = self.balls_due = 0
         self.lamps.put_out()
@@ -114,7 +114,7 @@ class Rules:
     # -- time --------------------------------------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Nothing; lets a step's time pass for what lasts a while."""
+        """Let a step's time pass for what lasts a while."""
         if self.saver_left:
             self.saver_left -= 1
             if not self.saver_left:
@@ -131,7 +131,7 @@ class Rules:
             self._bank_left -= 1
 
     def raise_bank(self, places: list[tuple[float, float]]) -> None:
-        """Nothing; raises the targets of a finished bank, once it has rested and no ball at `places` is in the way."""
+        """Raise the targets of a finished bank, once it has rested and no ball at `places` is in the way."""
         if len(self.table.down) < len(BANK) or self._bank_left:
             return
         if all(self.table.clear_of_targets(x, y) for x, y in places):
@@ -139,7 +139,7 @@ class Rules:
             self.lamps.put(OFF, *BANK)
 
     def spin(self, angle: float) -> None:
-        """Nothing; counts what the spinner has turned faster than by itself, and gives points by the half turn."""
+        """Count what the spinner has turned faster than by itself, and give points by the half turn."""
         self._spun += angle
         if self._spun >= pi:
             self._spun -= pi
@@ -148,7 +148,7 @@ class Rules:
     # -- what balls meet ---------------------------------------------------------------------------------------------
 
     def meet(self, part: Part, place: tuple[float, float], speed: float) -> None:
-        """Nothing; gives what striking or crossing a part brings, and tells of it."""
+        """Give what striking or crossing a part brings, and tell of it."""
         way = self._ways.get(part.kind)
         if self.tilted or way is None:
             self._emit(Event(part.kind, part.name, place, speed))
@@ -160,7 +160,7 @@ class Rules:
     def _give(
         self, kind: EventKind, part: str, place: tuple[float, float], speed: float, worth: int, bonus: int = 0
     ) -> None:
-        """Nothing; adds points and bonus, and tells of it."""
+        """Add points and bonus, and tell of it."""
         if self.tilted:
             worth = bonus = 0
         self.score += worth
@@ -199,7 +199,7 @@ class Rules:
         return worth
 
     def _end_skill(self) -> None:
-        """Nothing; ends the chance of a skill shot."""
+        """End the chance of a skill shot."""
         self._skill_left = 0
         if self.lamps[self._skill] is BLINK:
             self.lamps.put(OFF, self._skill)
@@ -232,7 +232,7 @@ class Rules:
     # -- feats -------------------------------------------------------------------------------------------------------
 
     def _finish(self, part: Part, place: tuple[float, float]) -> None:
-        """Nothing; rewards a row of lanes or a bank that the part has made complete."""
+        """Reward a row of lanes or a bank that the part has made complete."""
         if part.kind is EventKind.LANE and self.lamps.all_on(LANES):
             self._all_lanes(place)
         elif part.name in BANK and len(self.table.down) == len(BANK) and not self._bank_left:
@@ -240,7 +240,7 @@ class Rules:
             self._bank(place)
 
     def _all_lanes(self, place: tuple[float, float]) -> None:
-        """Nothing; raises the multiplier, which brings an extra ball once; where it cannot rise it gives points."""
+        """Raise the multiplier, which brings an extra ball once; where it cannot rise it gives points."""
         self.lamps.put(OFF, *LANES)
         if self.multiplier < MOST_MULTIPLIED:
             self.multiplier += 1
@@ -254,7 +254,7 @@ class Rules:
             self._give(EventKind.EXTRA, "", place, 0.0, 0)
 
     def _bank(self, place: tuple[float, float]) -> None:
-        """Nothing; rewards a bank; the second one starts multiball, and in multiball each is a jackpot."""
+        """Reward a bank; the second one starts multiball, and in multiball each is a jackpot."""
         self._banks += 1
         self.lamps.put(BLINK, *BANK)
         if self.multiball:
@@ -267,7 +267,7 @@ class Rules:
             self.lamps.put(BLINK, "multiball")
 
     def _start_multiball(self, place: tuple[float, float]) -> None:
-        """Nothing; calls for two more balls and lights the jackpots."""
+        """Call for two more balls and light the jackpots."""
         self.multiball = True
         self.balls_due = 2
         self._jackpot = JACKPOT
@@ -277,13 +277,13 @@ class Rules:
         self._give(EventKind.MULTIBALL, "", place, 0.0, MULTIBALL)
 
     def end_multiball(self) -> None:
-        """Nothing; ends multiball, for one ball is left."""
+        """End multiball, for one ball is left."""
         self.multiball = False
         self.lamps.put(OFF, "multiball", "jackpot", *ORBITS)
         self._orbits_left = 0
 
     def change_lanes(self, step: int) -> None:
-        """Nothing; moves the lit top lanes by one, to the left (-1) or to the right (1)."""
+        """Move the lit top lanes by one, to the left (-1) or to the right (1)."""
         states = [self.lamps[name] for name in LANES]
         for place, name in enumerate(LANES):
             self.lamps.put(states[(place - step) % len(LANES)], name)

@@ -108,7 +108,7 @@ class HighScores:
         return place
 
     def save(self) -> None:
-        """Nothing; writes the file, whole or not at all. Where that fails it tells so, and the game goes on."""
+        """Write the file, whole or not at all. Where that fails, tell so: the game goes on."""
         if self.path is None:
             return
         content = _File(version=1, scores=self.scores).model_dump_json(indent=2) + "\n"

@@ -67,7 +67,7 @@ class Flipper:
         return self.angle >= self.reach - 1e-9
 
     def put(self, angle: float, pressed: bool) -> None:
-        """Nothing; has it stand at an angle from its rest, moving as its button says."""
+        """Have it stand at an angle from its rest, moving as its button says."""
         if self.angle != angle:
             self.shape.rotate(self.shape.pivot, self.up * angle)
         elif self.pressed == pressed:
@@ -124,7 +124,7 @@ class Table:
                 yield shape.name or "", shape
 
     def _note(self, name: str, shapes: list[carom.Shape]) -> None:
-        """Nothing; notes the parts and the place of shapes of one name."""
+        """Note the parts and the place of shapes of one name."""
         boxes = [shape.aabb for shape in shapes]
         x = 0.5 * (min(box.left for box in boxes) + max(box.right for box in boxes))
         y = 0.5 * (min(box.bottom for box in boxes) + max(box.top for box in boxes))
@@ -141,20 +141,20 @@ class Table:
     # -- what moves --------------------------------------------------------------------------------------------------
 
     def reset(self) -> None:
-        """Nothing; lets the flippers fall, raises the drop targets and slows the spinner."""
+        """Let the flippers fall, raise the drop targets and slow the spinner."""
         self.left.press(False)
         self.right.press(False)
         self.raise_targets()
         self.spinner.angular_velocity = IDLE_SPIN
 
     def lower(self, name: str) -> None:
-        """Nothing; drops a target."""
+        """Drop a target."""
         self.down.add(name)
         for shape in self.targets[name]:
             shape.can_collide = False
 
     def raise_targets(self) -> None:
-        """Nothing; raises all drop targets."""
+        """Raise all drop targets."""
         for name in sorted(self.down):
             for shape in self.targets[name]:
                 shape.can_collide = True
@@ -167,14 +167,14 @@ class Table:
         )
 
     def strike_spinner(self, place: tuple[float, float], push: tuple[float, float]) -> None:
-        """Nothing; turns the spinner faster, by the moment about its hub of a push at `place`."""
+        """Turn the spinner faster, by the moment about its hub of a push at `place`."""
         x, y = self.spinner.pivot
         moment = (place[0] - x) * push[1] - (place[1] - y) * push[0]
         spin = self.spinner.angular_velocity + 0.4 * moment
         self.spinner.angular_velocity = min(max(spin, -MOST_SPIN), MOST_SPIN)
 
     def slow_spinner(self) -> None:
-        """Nothing; brings the spinner nearer to the speed that it has by itself."""
+        """Bring the spinner nearer to the speed that it has by itself."""
         spin = self.spinner.angular_velocity
         idle = IDLE_SPIN if spin > 0.0 else -IDLE_SPIN
         if spin != idle:

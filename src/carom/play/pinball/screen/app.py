@@ -105,7 +105,7 @@ class PinballApp:
     # -- what comes in -----------------------------------------------------------------------------------------------
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Nothing; takes one event: a press acts on the next step of the game."""
+        """Take one event: a press acts on the next step of the game."""
         if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
             self._away = event.type == pygame.WINDOWFOCUSLOST
         for action, down in self._controls.read(event):
@@ -115,14 +115,14 @@ class PinballApp:
                 self._obey(action)
 
     def _press(self, control: Control, down: bool) -> None:
-        """Nothing; passes a press to the game; what is let go is let go in a pause too."""
+        """Pass a press to the game; what is let go is let go in a pause too."""
         if down and (self.paused or self.helping):
             return
         waiting = self.game.phase in (Phase.ATTRACT, Phase.OVER)
         self.game.press(Control.START if waiting and down and control is Control.PLUNGER else control, down)
 
     def _obey(self, command: Command) -> None:
-        """Nothing; does what a key says that does not play."""
+        """Do what a key says that does not play."""
         if command is Command.HELP:
             self.helping = not self.helping
         elif command is Command.RATE:
@@ -138,7 +138,7 @@ class PinballApp:
             self._leave()
 
     def _leave(self) -> None:
-        """Nothing; closes the help, or pauses a game, or ends: nobody loses a game to one press."""
+        """Close the help, or pause a game, or end: nobody loses a game to one press."""
         if self.helping:
             self.helping = False
         elif self.paused or self.game.phase in (Phase.ATTRACT, Phase.OVER):
@@ -149,7 +149,7 @@ class PinballApp:
     # -- time --------------------------------------------------------------------------------------------------------
 
     def advance(self, seconds: float) -> None:
-        """Nothing; makes the steps of the game that are due, with their sounds."""
+        """Make the steps of the game that are due, with their sounds."""
         if self._away and self.game.phase is not Phase.ATTRACT:
             self.paused = True
         if self.paused or self.helping:
@@ -164,7 +164,7 @@ class PinballApp:
     # -- the picture -------------------------------------------------------------------------------------------------
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the table, its back, and what lies over them."""
+        """Draw the table, its back, and what lies over them."""
         if self.mode is Mode.LINES:
             self._lines.draw(self._table)
         else:
@@ -186,13 +186,13 @@ class PinballApp:
             self._plate(surface, "P goes on, Esc ends", (art.SIZE[0] // 2, 448), 15)
 
     def _draw_rate(self, surface: pygame.Surface) -> None:
-        """Nothing; draws frames a second and the work of each."""
+        """Draw frames a second and the work of each."""
         meter = self.meter
         words = f"{meter.rate:.0f} frames/s   {1e3 * meter.work:.1f} ms   {100 * meter.share:.0f} %   {self.mode.value}"
         self._plate(surface, words, (art.SIZE[0] // 2, 6), 13)
 
     def _plate(self, surface: pygame.Surface, words: str, place: tuple[int, int], size: int) -> None:
-        """Nothing; writes words on a dark plate, their upper edge's middle at a place."""
+        """Write words on a dark plate, their upper edge's middle at a place."""
         width = self._letters.width(words, size)
         plate = pygame.Rect(place[0] - width // 2 - 12, place[1], width + 24, size + 14)
         pygame.draw.rect(surface, NIGHT, plate, border_radius=6)

@@ -119,7 +119,7 @@ class Display:
         self._dots = Dots((26, 12, 10), (255, 146, 40))
 
     def draw(self, surface: pygame.Surface, left: int, game: Pinball, effects: Effects) -> None:
-        """Nothing; draws the back from the column `left` of a surface on."""
+        """Draw the back from the column `left` of a surface on."""
         seconds, news = effects.time, effects.news
         chase = CHASE if effects.show is None else CHASE_OF_SHOW
         surface.blit(self._backs[int(seconds * chase) % len(self._backs)], (left, 0))
@@ -129,7 +129,7 @@ class Display:
         self._letters.draw(surface, KEYS, (left + 192, 804), 11, mixed(CREAM, NIGHT, 0.25), anchor="middle")
 
     def _signs(self, surface: pygame.Surface, left: int, game: Pinball, seconds: float) -> None:
-        """Nothing; draws the signs: which ball, the ball save, multiball, tilt."""
+        """Draw the signs: which ball, the ball save, multiball, tilt."""
         lit = int(seconds / BLINK_TIME) % 2 == 0
         playing = game.phase in (Phase.PLAY, Phase.BONUS)
         top = art_back.SIGNS.top + 8
@@ -148,7 +148,7 @@ class Display:
             x += wide + 7
 
     def _sign(self, surface: pygame.Surface, words: str, rect: pygame.Rect, light: Colour | None, hue: Colour) -> None:
-        """Nothing; draws a sign, lit in a colour or dark."""
+        """Draw a sign, lit in a colour or dark."""
         if light is None:
             pygame.draw.rect(surface, mixed(hue, NIGHT, 0.72), rect, 1, border_radius=5)
         else:
@@ -157,7 +157,7 @@ class Display:
         self._letters.draw(surface, words, (rect.centerx, rect.centery - 7), 13, ink, anchor="middle")
 
     def _scores(self, surface: pygame.Surface, left: int, game: Pinball) -> None:
-        """Nothing; draws the ten high scores in two columns."""
+        """Draw the ten high scores in two columns."""
         area = art_back.SCORES
         write = self._letters.draw
         write(surface, "HIGH SCORES", (left + area.centerx, area.top + 10), 17, GOLD, anchor="middle")

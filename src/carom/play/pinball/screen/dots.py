@@ -161,7 +161,7 @@ class Dots:
         return self._picture
 
     def _make(self, lights: NDArray[np.float64]) -> None:
-        """Nothing; makes the picture of dots and of the shine round them."""
+        """Make the picture of dots and of the shine round them."""
         colours = self._unlit + lights[:, :, None] * (self._lit - self._unlit)
         pygame.surfarray.blit_array(self._small, colours.astype(np.uint8))
         pygame.transform.scale(self._small, self.size, self._picture)

@@ -76,7 +76,7 @@ class Effects:
     _pushed: float = -SHAKE
 
     def note(self, events: Iterable[Event]) -> None:
-        """Nothing; takes what happened."""
+        """Take what happened."""
         for event in events:
             if event.kind in (EventKind.BUMPER, EventKind.SLINGSHOT):
                 self._kicks[event.part] = self.time
@@ -93,7 +93,7 @@ class Effects:
                 self._push, self._pushed = PUSHES.get(event.part, (0.0, 0.0)), self.time
 
     def advance(self, seconds: float) -> None:
-        """Nothing; lets time go by."""
+        """Let time go by."""
         self.time += seconds
         self.sparks = [spark for spark in self.sparks if self.time - spark.since < SPARK]
         self.points = [spark for spark in self.points if self.time - spark.since < POINTS]

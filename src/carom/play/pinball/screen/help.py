@@ -35,7 +35,7 @@ MARGIN, LINE = 36, 25
 
 
 def draw_help(surface: pygame.Surface, letters: Letters) -> None:
-    """Nothing; draws the help over the darkened game."""
+    """Draw the help over the darkened game."""
     width, height = surface.get_size()
     veil = pygame.Surface((width, height), pygame.SRCALPHA)
     veil.fill((*mixed(NIGHT, (0, 0, 0), 0.4), 228))

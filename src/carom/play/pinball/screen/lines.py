@@ -40,11 +40,11 @@ class Lines:
         self._still: pygame.Surface | None = None
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws lines alone."""
+        """Draw lines alone."""
         self._live.draw(surface)
 
     def draw_over(self, surface: pygame.Surface) -> None:
-        """Nothing; draws lines over the art."""
+        """Draw lines over the art."""
         if self._still is None:
             self._still = pygame.Surface(art.SIZE, 0, 32)
             self._live.draw_still(self._still, ground=False)

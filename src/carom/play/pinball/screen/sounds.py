@@ -180,7 +180,7 @@ def heard(events: Iterable[Event]) -> list[tuple[str, float]]:
 
 
 def play(speaker: Speaker, events: Iterable[Event], demonstration: bool) -> None:
-    """Nothing; plays the sounds of the events of a frame, softly while the table demonstrates itself."""
+    """Play the sounds of the events of a frame, softly while the table demonstrates itself."""
     share = DEMONSTRATION if demonstration else 1.0
     for name, volume in heard(events):
         speaker.play(name, share * volume)

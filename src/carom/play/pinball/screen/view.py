@@ -38,7 +38,7 @@ class TableView:
         self._tails: dict[int, list[tuple[float, float]]] = {}
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the table into a surface of its size."""
+        """Draw the table into a surface of its size."""
         surface.blit(self.art.ground, (0, 0))
         self._draw_lamps(surface)
         self._draw_parts(surface)
@@ -59,14 +59,14 @@ class TableView:
         return state is LampState.ON
 
     def _draw_lamps(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the lamps in the playfield that are lit."""
+        """Draw the lamps in the playfield that are lit."""
         for name, light in self.art.lights.items():
             if self._lit(name, light.lens_at[1] / art.SCALE):
                 surface.blit(light.shine, light.shine_at, special_flags=ADD)
                 surface.blit(light.lens, light.lens_at)
 
     def _draw_parts(self, surface: pygame.Surface) -> None:
-        """Nothing; draws bumpers, drop targets, spinner and plunger."""
+        """Draw bumpers, drop targets, spinner and plunger."""
         pictures = self.art
         for name, (up, down, corner) in pictures.targets.items():
             surface.blit(down if name in self._game.table.down else up, corner)
@@ -85,7 +85,7 @@ class TableView:
         surface.blit(pictures.plunger, (round(x) - pictures.plunger.get_width() // 2, round(y)))
 
     def _draw_balls(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the balls, their shadows, and the tails of fast ones."""
+        """Draw the balls, their shadows, and the tails of fast ones."""
         pictures = self.art
         tails: dict[int, list[tuple[float, float]]] = {}
         places = []
@@ -102,7 +102,7 @@ class TableView:
         self._tails = tails
 
     def _draw_tail(self, surface: pygame.Surface, tail: list[tuple[float, float]]) -> None:
-        """Nothing; draws the tail of a fast ball through where it was in the last frames."""
+        """Draw the tail of a fast ball through where it was in the last frames."""
         lights = iter(self.art.tail)
         for (x, y), (back_x, back_y) in pairwise(tail):
             for share in (0.25, 0.6, 0.95):
@@ -111,7 +111,7 @@ class TableView:
                     centered(surface, light, (x + (back_x - x) * share, y + (back_y - y) * share), ADD)
 
     def _draw_flippers(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the flippers as far up as they are."""
+        """Draw the flippers as far up as they are."""
         table = self._game.table
         for flipper in (table.left, table.right):
             name = flipper.shape.name or ""
@@ -120,7 +120,7 @@ class TableView:
             centered(surface, picture, self.art.pivots[name])
 
     def _draw_flashes(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the flashes of slingshots and of hard impacts."""
+        """Draw the flashes of slingshots and of hard impacts."""
         for name, place in self.art.slingshots.items():
             if self.effects.kicks(name):
                 centered(surface, self.art.kick, place, ADD)
@@ -129,7 +129,7 @@ class TableView:
                 centered(surface, self.art.spark, art.pixel(spark.place), ADD)
 
     def _draw_apron(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the balls that wait behind the window, and the apron over them."""
+        """Draw the balls that wait behind the window, and the apron over them."""
         game = self._game
         left = BALLS if game.phase in (Phase.OVER, Phase.ENTRY) else BALLS - game.ball_number
         for number in range(left):
@@ -138,7 +138,7 @@ class TableView:
         surface.blit(self.art.apron, self.art.apron_at)
 
     def _draw_points(self, surface: pygame.Surface) -> None:
-        """Nothing; draws the points that float up from where they were made."""
+        """Draw the points that float up from where they were made."""
         for spark in self.effects.points:
             since = (self.effects.time - spark.since) / POINTS
             x, y = art.pixel(spark.place)
@@ -149,6 +149,6 @@ class TableView:
 
 
 def centered(surface: pygame.Surface, picture: pygame.Surface, place: tuple[float, float], flags: int = 0) -> None:
-    """Nothing; lays a picture over a surface, its middle at a place."""
+    """Lay a picture over a surface, its middle at a place."""
     corner = (round(place[0] - picture.get_width() / 2.0), round(place[1] - picture.get_height() / 2.0))
     surface.blit(picture, corner, special_flags=flags)

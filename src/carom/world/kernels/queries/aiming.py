@@ -47,7 +47,7 @@ def aim_many(
 
 
 def write_path(query: QueryRow, cast: CastRow, aim: AimRow) -> None:
-    """Nothing; writes how far the ball gets, and where and how it touches."""
+    """Write how far the ball gets, and where and how it touches."""
     dx, dy = float(query["to_x"]) - float(query["x"]), float(query["to_y"]) - float(query["y"])
     fraction = float(cast["fraction"])
     aim["distance"] = fraction * length(dx, dy)
@@ -60,7 +60,7 @@ def write_path(query: QueryRow, cast: CastRow, aim: AimRow) -> None:
 
 
 def leave_shape(ball: BallRow, shape: ShapeRow, vx: float, vy: float, total: bool, aim: AimRow) -> None:
-    """Nothing; writes how the ball leaves a shape, which has no direction of its own afterwards."""
+    """Write how the ball leaves a shape, which has no direction of its own afterwards."""
     nx, ny = float(aim["normal"][0]), float(aim["normal"][1])
     s = dot(vx, vy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
@@ -75,7 +75,7 @@ def leave_shape(ball: BallRow, shape: ShapeRow, vx: float, vy: float, total: boo
 
 
 def leave_ball(ball: BallRow, other: BallRow, vx: float, vy: float, aim: AimRow) -> None:
-    """Nothing; writes how the ball and another, which was at rest, leave each other."""
+    """Write how the ball and another, which was at rest, leave each other."""
     nx, ny = float(aim["normal"][0]), float(aim["normal"][1])
     u = dot(vx, vy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(other["elasticity"])

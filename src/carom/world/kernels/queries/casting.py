@@ -60,7 +60,7 @@ def cast_through(
     cast: CastRow,
     found: Table[int],
 ) -> None:
-    """Nothing; finds the first item of a grid that query `k` hits, where that is before the hit in `cast`.
+    """Find the first item of a grid that query `k` hits, where that is before the hit in `cast`.
 
     The grid is walked column by column in the direction of the way, or line by line where it goes up or down rather
     than across; in each, the cells that the way comes near enough to are looked through.

@@ -58,7 +58,7 @@ def search_rings(
     k: int,
     neighbor: NeighborRow,
 ) -> None:
-    """Nothing; finds the item of a grid nearest to query `k`, where it is nearer than the one in `neighbor`.
+    """Find the item of a grid nearest to query `k`, where it is nearer than the one in `neighbor`.
 
     Square rings of cells around the place's own, or the one nearest to it, until what lies outside is farther away.
     """
@@ -102,7 +102,7 @@ def distance_outside(grid: SearchGridRow, x: float, y: float, own_column: int, o
 def compare_item(
     query: QueryRow, shapes: Table[ShapeRow], balls: Table[BallRow], item: int, neighbor: NeighborRow
 ) -> None:
-    """Nothing; writes an item to `neighbor` if it is nearer than what is there, or as near and of a smaller id."""
+    """Write an item to `neighbor` if it is nearer than what is there, or as near and of a smaller id."""
     x, y = float(query["x"]), float(query["y"])
     left, bottom, right, top = item_box(shapes, balls, item)
     # How far its box is away, below 0 inside; less the rounding, which must not decide between two that are as near.

@@ -76,7 +76,7 @@ def build_search_grid(
 
 
 def lay_grid(grid: SearchGridRow, shapes: Table[ShapeRow], balls: Table[BallRow], items: Table[int]) -> None:
-    """Nothing; settles where the grid lies and how wide its cells are, from the items' boxes."""
+    """Settle where the grid lies and how wide its cells are, from the items' boxes."""
     count = 0
     left, bottom, right, top = 0.0, 0.0, 0.0, 0.0
     sides, areas = 0.0, 0.0
@@ -150,7 +150,7 @@ def mark_item(
     members: Table[int],
     write: bool,
 ) -> None:
-    """Nothing; counts an item in every cell that it comes into, or writes it there."""
+    """Count an item in every cell that it comes into, or write it there."""
     left, bottom, right, top = item_box(shapes, balls, item)
     if not is_box(left, bottom, right, top):
         return
