@@ -46,6 +46,7 @@ FORBIDDEN_NODES = {
 }
 #: What a room of kernels may hold besides functions: the dtypes of rows, and the types of rows and of groups of floats.
 DATA_CLASSES = {"IntEnum", "NamedTuple", "Protocol", "TypedDict"}
+DATA_CALLS = ("np.dtype(", "dtype_of(", "Annotated[")
 DATA_MODULES = {"enum", "numpy", "numpy.typing", "typing"}
 FORBIDDEN_OPERATORS = {ast.Pow: "**", ast.MatMult: "@"}
 
@@ -55,7 +56,9 @@ def is_data(node: ast.stmt) -> bool:
     if isinstance(node, ast.ClassDef):
         return any(ast.unparse(base).partition("[")[0] in DATA_CLASSES for base in node.bases)
     if isinstance(node, ast.Assign):
-        return ast.unparse(node.value).startswith("np.dtype(")
+        return ast.unparse(node.value).startswith(DATA_CALLS)
+    if isinstance(node, ast.FunctionDef):  # what makes a dtype
+        return node.returns is not None and ast.unparse(node.returns).startswith("np.dtype[")
     if isinstance(node, ast.Import):
         return {alias.name for alias in node.names} <= DATA_MODULES
     return isinstance(node, ast.ImportFrom) and node.module in DATA_MODULES

@@ -6,6 +6,8 @@ from typing import TypedDict
 
 import numpy as np
 
+from carom.rows.tables import dtype_of, f8, i8
+
 # What a hit is (`HitKind` names them for users).
 BOUNCE = 0
 ENTER = 1
@@ -25,35 +27,21 @@ HIT = np.dtype(
     ]
 )
 
-#: A hit as the kernels write it: the same bytes, each number a field of its own.
-HIT_ROW = np.dtype(
-    [
-        ("time", "f8"),
-        ("kind", "i8"),
-        ("ball", "i8"),
-        ("shape", "i8"),
-        ("point_x", "f8"),
-        ("point_y", "f8"),
-        ("normal_x", "f8"),
-        ("normal_y", "f8"),
-        ("setback", "f8"),
-        ("speed", "f8"),
-        ("impulse", "f8"),
-    ]
-)
-
 
 class HitRow(TypedDict):
-    """A row of `HIT_ROW`."""
+    """A hit as the kernels write it: the same bytes, each number a field of its own."""
 
-    time: float
-    kind: int
-    ball: int
-    shape: int
-    point_x: float
-    point_y: float
-    normal_x: float
-    normal_y: float
-    setback: float
-    speed: float
-    impulse: float
+    time: f8
+    kind: i8
+    ball: i8
+    shape: i8
+    point_x: f8
+    point_y: f8
+    normal_x: f8
+    normal_y: f8
+    setback: f8
+    speed: f8
+    impulse: f8
+
+
+HIT_ROW = dtype_of(HitRow)

@@ -4,136 +4,99 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-import numpy as np
-
-from carom.rows.tables import Table
-
-#: What a query asks, and what it sees. A box goes from x, y to to_x, to_y.
-QUERY = np.dtype(
-    [
-        ("x", "f8"),
-        ("y", "f8"),
-        ("to_x", "f8"),
-        ("to_y", "f8"),
-        ("radius", "f8"),
-        ("layer", "u4"),
-        ("collides_with", "u4"),
-        ("sensors", "i4"),
-    ]
-)
+from carom.rows.tables import dtype_of, f8, f8x2, i4, i8, u4
 
 
 class QueryRow(TypedDict):
-    """A row of `QUERY`."""
+    """What a query asks, and what it sees. A box goes from x, y to to_x, to_y."""
 
-    x: float
-    y: float
-    to_x: float
-    to_y: float
-    radius: float
-    layer: int
-    collides_with: int
-    sensors: int
+    x: f8
+    y: f8
+    to_x: f8
+    to_y: f8
+    radius: f8
+    layer: u4
+    collides_with: u4
+    sensors: i4
 
 
-#: Where a grid lies that serves queries: its corner, the width of its cells, and how many there are.
-SEARCH_GRID = np.dtype([("left", "f8"), ("bottom", "f8"), ("side", "f8"), ("columns", "i8"), ("lines", "i8")])
+QUERY = dtype_of(QueryRow)
 
 
 class SearchGridRow(TypedDict):
-    """A row of `SEARCH_GRID`."""
+    """Where a grid lies that serves queries: its corner, the width of its cells, and how many there are."""
 
-    left: float
-    bottom: float
-    side: float
-    columns: int
-    lines: int
+    left: f8
+    bottom: f8
+    side: f8
+    columns: i8
+    lines: i8
 
 
-CAST_HIT = np.dtype([("shape", "i8"), ("fraction", "f8"), ("point", "f8", (2,)), ("normal", "f8", (2,))])
+SEARCH_GRID = dtype_of(SearchGridRow)
 
 
 class CastRow(TypedDict):
     """A row of `CAST_HIT`."""
 
-    shape: int
-    fraction: float
-    point: Table[float]
-    normal: Table[float]
+    shape: i8
+    fraction: f8
+    point: f8x2
+    normal: f8x2
 
 
-NEIGHBOR = np.dtype([("shape", "i8"), ("distance", "f8"), ("point", "f8", (2,))])
+CAST_HIT = dtype_of(CastRow)
 
 
 class NeighborRow(TypedDict):
     """A row of `NEIGHBOR`."""
 
-    shape: int
-    distance: float
-    point: Table[float]
+    shape: i8
+    distance: f8
+    point: f8x2
 
 
-IN_BOX = np.dtype([("box", "i8"), ("shape", "i8")])
+NEIGHBOR = dtype_of(NeighborRow)
 
 
 class InBoxRow(TypedDict):
     """A row of `IN_BOX`."""
 
-    box: int
-    shape: int
+    box: i8
+    shape: i8
 
 
-CONTACT = np.dtype(
-    [
-        ("shape", "i8"),
-        ("ball", "i8"),
-        ("point", "f8", (2,)),
-        ("normal", "f8", (2,)),
-        ("setback", "f8"),
-        ("speed", "f8"),
-    ]
-)
+IN_BOX = dtype_of(InBoxRow)
 
 
 class ContactRow(TypedDict):
     """A row of `CONTACT`."""
 
-    shape: int
-    ball: int
-    point: Table[float]
-    normal: Table[float]
-    setback: float
-    speed: float
+    shape: i8
+    ball: i8
+    point: f8x2
+    normal: f8x2
+    setback: f8
+    speed: f8
 
 
-AIM = np.dtype(
-    [
-        ("ball", "i8"),
-        ("shape", "i8"),
-        ("start", "f8", (2,)),
-        ("ghost", "f8", (2,)),
-        ("distance", "f8"),
-        ("point", "f8", (2,)),
-        ("normal", "f8", (2,)),
-        ("direction", "f8", (2,)),
-        ("speed", "f8"),
-        ("other_direction", "f8", (2,)),
-        ("other_speed", "f8"),
-    ]
-)
+CONTACT = dtype_of(ContactRow)
 
 
 class AimRow(TypedDict):
     """A row of `AIM`."""
 
-    ball: int
-    shape: int
-    start: Table[float]
-    ghost: Table[float]
-    distance: float
-    point: Table[float]
-    normal: Table[float]
-    direction: Table[float]
-    speed: float
-    other_direction: Table[float]
-    other_speed: float
+    ball: i8
+    shape: i8
+    start: f8x2
+    ghost: f8x2
+    distance: f8
+    point: f8x2
+    normal: f8x2
+    direction: f8x2
+    speed: f8
+    other_direction: f8x2
+    other_speed: f8
+
+
+AIM = dtype_of(AimRow)

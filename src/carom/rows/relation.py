@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-import numpy as np
+from carom.rows.tables import dtype_of, i4
 
 NO_RELATION = -1
 
@@ -14,13 +14,14 @@ INSIDE_SHAPE = 1  # the ball and a shape overlap, and one of them is a sensor
 INSIDE_BALL = 2  # the same for two balls
 LASTING = 3  # the ball rests on a shape, rolls on it or slides along it (continuous)
 
-RELATION = np.dtype([("kind", "i4"), ("ball", "i4"), ("other", "i4"), ("next", "i4")])
-
 
 class RelationRow(TypedDict):
     """A row of `RELATION`."""
 
-    kind: int
-    ball: int
-    other: int
-    next: int
+    kind: i4
+    ball: i4
+    other: i4
+    next: i4
+
+
+RELATION = dtype_of(RelationRow)

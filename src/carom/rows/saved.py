@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-import numpy as np
+from carom.rows.tables import dtype_of, f8, i4, u1
 
 # What a ball that a response has moved is still to be tested against.
 SHAPES_DUE = 1
@@ -13,37 +13,22 @@ COUNTED = 4  # not due, but done: it was counted as squeezed in this substep
 MET = 8  # it has overlapped a shape when it met the shapes last
 CROWDED = 16  # more than one, or one so deep or with so little room that it may be near the side of another
 
-#: What a step changes in a ball, kept so that a step that fails leaves the state as it was.
-SAVED = np.dtype(
-    [
-        ("x", "f8"),
-        ("y", "f8"),
-        ("vx", "f8"),
-        ("vy", "f8"),
-        ("still_time", "f8"),
-        ("met_x", "f8"),  # where it was when it had met the shapes last
-        ("met_y", "f8"),
-        ("relation", "i4"),
-        ("asleep", "u1"),
-        ("stray", "u1"),
-        ("touched", "u1"),  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED, MET, CROWDED
-        ("overflowed", "u1"),  # the ball was not finite when a step was undone
-    ]
-)
-
 
 class SavedRow(TypedDict):
-    """A row of `SAVED`."""
+    """What a step changes in a ball, kept so that a step that fails leaves the state as it was."""
 
-    x: float
-    y: float
-    vx: float
-    vy: float
-    still_time: float
-    met_x: float
-    met_y: float
-    relation: int
-    asleep: int
-    stray: int
-    touched: int
-    overflowed: int
+    x: f8
+    y: f8
+    vx: f8
+    vy: f8
+    still_time: f8
+    met_x: f8  # where it was when it had met the shapes last
+    met_y: f8
+    relation: i4
+    asleep: u1
+    stray: u1
+    touched: u1  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED, MET, CROWDED
+    overflowed: u1  # the ball was not finite when a step was undone
+
+
+SAVED = dtype_of(SavedRow)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import TypedDict
 
-import numpy as np
+from carom.rows.tables import dtype_of, f8, i8, u1, u4
 
 POINT = 0
 SEGMENT = 1
@@ -32,144 +32,78 @@ class Motion(IntEnum):
     DYNAMIC = DYNAMIC
 
 
-SHAPE = np.dtype(
-    [
-        # the box, compared before anything else
-        ("left", "f8"),
-        ("bottom", "f8"),
-        ("right", "f8"),
-        ("top", "f8"),
-        ("kind", "u1"),
-        ("motion", "u1"),
-        ("sensor", "u1"),
-        ("can_collide", "u1"),
-        ("solid", "u1"),  # circles: the inside is solid too
-        ("rotating", "u1"),  # kinematic: whether angular_velocity acts
-        ("turn_limited", "u1"),  # whether turn_low and turn_high act
-        ("spare", "u1"),  # keeps the row free of padding; always 0
-        ("layer", "u4"),
-        ("collides_with", "u4"),
-        ("id", "i8"),
-        ("elasticity", "f8"),
-        ("kick", "f8"),
-        # geometry as it is now
-        ("cx", "f8"),  # position: a point's own, a segment's midpoint, a circle's or an arc's centre
-        ("cy", "f8"),
-        ("radius", "f8"),
-        ("ax", "f8"),  # p0 of a segment, gate or arc
-        ("ay", "f8"),
-        ("bx", "f8"),  # p1
-        ("by", "f8"),
-        ("tx", "f8"),  # t0 of a segment or gate: unit vector from p0 to p1
-        ("ty", "f8"),
-        ("length", "f8"),
-        ("dx", "f8"),  # unit direction in which a gate lets balls pass
-        ("dy", "f8"),
-        ("start_angle", "f8"),
-        ("end_angle", "f8"),
-        # geometry as it was set; every turn starts from here, so turns accumulate no drift
-        ("initial_cx", "f8"),
-        ("initial_cy", "f8"),
-        ("initial_ax", "f8"),
-        ("initial_ay", "f8"),
-        ("initial_bx", "f8"),
-        ("initial_by", "f8"),
-        ("initial_dx", "f8"),
-        ("initial_dy", "f8"),
-        ("initial_start_angle", "f8"),
-        ("initial_end_angle", "f8"),
-        ("initial_pivot_x", "f8"),
-        ("initial_pivot_y", "f8"),
-        ("hinge_x", "f8"),  # the place in the initial geometry that is at the pivot: the initial pivot, unless rotated
-        ("hinge_y", "f8"),  # about another one since
-        # motion
-        ("pivot_x", "f8"),
-        ("pivot_y", "f8"),
-        ("orientation", "f8"),  # radians turned since the initial geometry
-        ("angular_velocity", "f8"),
-        ("turn_low", "f8"),
-        ("turn_high", "f8"),
-        ("velocity_x", "f8"),
-        ("velocity_y", "f8"),
-        # where `move_to` sends it
-        ("time_left", "f8"),  # seconds until it is there; 0: it is sent nowhere, ARRIVED: it came there just now
-        ("target_x", "f8"),  # its position there
-        ("target_y", "f8"),
-        ("target_pivot_x", "f8"),
-        ("target_pivot_y", "f8"),
-        ("target_orientation", "f8"),
-        # the last substep
-        ("spin", "f8"),  # angular velocity that acted in it
-        ("orientation_before", "f8"),
-        ("pivot_before_x", "f8"),
-        ("pivot_before_y", "f8"),
-    ]
-)
-
-
 class ShapeRow(TypedDict):
     """A row of `SHAPE`."""
 
-    left: float
-    bottom: float
-    right: float
-    top: float
-    kind: int
-    motion: int
-    sensor: int
-    can_collide: int
-    solid: int
-    rotating: int
-    turn_limited: int
-    spare: int
-    layer: int
-    collides_with: int
-    id: int
-    elasticity: float
-    kick: float
-    cx: float
-    cy: float
-    radius: float
-    ax: float
-    ay: float
-    bx: float
-    by: float
-    tx: float
-    ty: float
-    length: float
-    dx: float
-    dy: float
-    start_angle: float
-    end_angle: float
-    initial_cx: float
-    initial_cy: float
-    initial_ax: float
-    initial_ay: float
-    initial_bx: float
-    initial_by: float
-    initial_dx: float
-    initial_dy: float
-    initial_start_angle: float
-    initial_end_angle: float
-    initial_pivot_x: float
-    initial_pivot_y: float
-    hinge_x: float
-    hinge_y: float
-    pivot_x: float
-    pivot_y: float
-    orientation: float
-    angular_velocity: float
-    turn_low: float
-    turn_high: float
-    velocity_x: float
-    velocity_y: float
-    time_left: float
-    target_x: float
-    target_y: float
-    target_pivot_x: float
-    target_pivot_y: float
-    target_orientation: float
-    spin: float
-    orientation_before: float
-    pivot_before_x: float
-    pivot_before_y: float
+    # the box, compared before anything else
+    left: f8
+    bottom: f8
+    right: f8
+    top: f8
+    kind: u1
+    motion: u1
+    sensor: u1
+    can_collide: u1
+    solid: u1  # circles: the inside is solid too
+    rotating: u1  # kinematic: whether angular_velocity acts
+    turn_limited: u1  # whether turn_low and turn_high act
+    spare: u1  # keeps the row free of padding; always 0
+    layer: u4
+    collides_with: u4
+    id: i8
+    elasticity: f8
+    kick: f8
+    # geometry as it is now
+    cx: f8  # position: a point's own, a segment's midpoint, a circle's or an arc's centre
+    cy: f8
+    radius: f8
+    ax: f8  # p0 of a segment, gate or arc
+    ay: f8
+    bx: f8  # p1
+    by: f8
+    tx: f8  # t0 of a segment or gate: unit vector from p0 to p1
+    ty: f8
+    length: f8
+    dx: f8  # unit direction in which a gate lets balls pass
+    dy: f8
+    start_angle: f8
+    end_angle: f8
+    # geometry as it was set; every turn starts from here, so turns accumulate no drift
+    initial_cx: f8
+    initial_cy: f8
+    initial_ax: f8
+    initial_ay: f8
+    initial_bx: f8
+    initial_by: f8
+    initial_dx: f8
+    initial_dy: f8
+    initial_start_angle: f8
+    initial_end_angle: f8
+    initial_pivot_x: f8
+    initial_pivot_y: f8
+    hinge_x: f8  # the place in the initial geometry that is at the pivot: the initial pivot, unless rotated
+    hinge_y: f8  # about another one since
+    # motion
+    pivot_x: f8
+    pivot_y: f8
+    orientation: f8  # radians turned since the initial geometry
+    angular_velocity: f8
+    turn_low: f8
+    turn_high: f8
+    velocity_x: f8
+    velocity_y: f8
+    # where `move_to` sends it
+    time_left: f8  # seconds until it is there; 0: it is sent nowhere, ARRIVED: it came there just now
+    target_x: f8  # its position there
+    target_y: f8
+    target_pivot_x: f8
+    target_pivot_y: f8
+    target_orientation: f8
+    # the last substep
+    spin: f8  # angular velocity that acted in it
+    orientation_before: f8
+    pivot_before_x: f8
+    pivot_before_y: f8
+
+
+SHAPE = dtype_of(ShapeRow)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-import numpy as np
+from carom.rows.tables import dtype_of, f8, i4, i8
 
 # Detections.
 DISCRETE = 0
@@ -35,161 +35,89 @@ SPAN = 7  # continuous: shapes and balls are set going
 FORESEE = 8
 FLY = 9
 
-#: Settings, time, counts, statistics and the place of a step that was interrupted: a table of two rows, the second of
-#: which is the copy that a step which fails is rolled back to.
-STATE = np.dtype(
-    [
-        # settings
-        ("gravity_x", "f8"),
-        ("gravity_y", "f8"),
-        ("friction", "f8"),
-        ("sleep_speed", "f8"),
-        ("sleep_time", "f8"),
-        ("rest_speed", "f8"),  # below 0: twice the speed that gravity adds in a substep
-        ("max_speed", "f8"),  # below 0: none
-        ("left", "f8"),
-        ("bottom", "f8"),
-        ("right", "f8"),
-        ("top", "f8"),
-        ("max_impacts", "i8"),
-        ("substeps", "i8"),
-        ("iterations", "i8"),
-        ("levels", "i8"),
-        ("detection", "i8"),
-        ("broad_phase", "i8"),
-        ("total_restitution", "i8"),
-        ("bounded", "i8"),
-        ("remove_strays", "i8"),
-        # time
-        ("time", "f8"),
-        ("next_id", "i8"),
-        # statistics
-        ("box_tests", "i8"),
-        ("full_tests", "i8"),
-        ("collisions", "i8"),
-        ("strays", "i8"),
-        ("overlaps", "i8"),
-        ("sleeping", "i8"),
-        ("stalled", "i8"),
-        ("squeezed", "i8"),
-        ("slowed", "i8"),
-        # counts of rows in use
-        ("balls", "i8"),
-        ("shapes", "i8"),
-        ("fixed", "i8"),  # of the shapes in `order`, how many are static; the kinematic ones follow
-        ("hits", "i8"),
-        ("relations", "i8"),  # in use
-        ("relations_high", "i8"),  # rows of the pool ever used; those above are free
-        ("free_relation", "i4"),  # first of the released rows below `relations_high`, or NO_RELATION
-        ("wake", "i4"),  # something was changed from outside
-        ("index_stale", "i8"),  # the index of all shapes must be made anew
-        ("moving_stale", "i8"),  # that of the kinematic shapes must
-        ("reach", "f8"),  # the largest radius that the index is to serve
-        # the place of the step
-        ("dt", "f8"),
-        ("steps_left", "i8"),
-        ("stage", "i8"),
-        ("stage_entered", "i8"),  # whether what the stage does once is done
-        ("substep", "i8"),
-        ("span_begin", "f8"),  # of the substep that is done when the span begins, in seconds
-        ("span", "f8"),  # its length: the substep, or until the next shape stops or arrives
-        ("queued", "i8"),
-        ("swept", "i8"),  # whether `pairs` are all that may meet in the span, if nothing changes a path
-        ("binned", "i8"),
-        ("bin_left", "f8"),
-        ("bin_bottom", "f8"),
-        ("bin_side", "f8"),
-        ("bin_stride", "i8"),
-        ("bin_mask", "i8"),
-        ("bin_levels", "i8"),
-        ("iteration", "i8"),
-        ("cursor", "i8"),  # the ball or pair at which the stage goes on
-        ("pairs", "i8"),
-        ("found", "i8"),  # overlaps that this iteration has met
-        ("step_hits", "i8"),  # hits there were when the step began
-        ("outside", "i8"),  # balls wholly outside of the bounds
-        ("braked", "i8"),  # balls with a friction of their own
-        ("wanted_hits", "i8"),
-        ("wanted_relations", "i8"),
-        ("wanted_pairs", "i8"),
-        ("wanted_starts", "i8"),
-        ("wanted_cells", "i8"),
-        ("wanted_members", "i8"),
-    ]
-)
-
 
 class StateRow(TypedDict):
-    """A row of `STATE`."""
+    """Settings, time, counts, statistics, and the place of a step that was interrupted.
 
-    gravity_x: float
-    gravity_y: float
-    friction: float
-    sleep_speed: float
-    sleep_time: float
-    rest_speed: float
-    max_speed: float
-    left: float
-    bottom: float
-    right: float
-    top: float
-    max_impacts: int
-    substeps: int
-    iterations: int
-    levels: int
-    detection: int
-    broad_phase: int
-    total_restitution: int
-    bounded: int
-    remove_strays: int
-    time: float
-    next_id: int
-    box_tests: int
-    full_tests: int
-    collisions: int
-    strays: int
-    overlaps: int
-    sleeping: int
-    stalled: int
-    squeezed: int
-    slowed: int
-    balls: int
-    shapes: int
-    fixed: int
-    hits: int
-    relations: int
-    relations_high: int
-    free_relation: int
-    wake: int
-    index_stale: int
-    moving_stale: int
-    reach: float
-    dt: float
-    steps_left: int
-    stage: int
-    stage_entered: int
-    substep: int
-    span_begin: float
-    span: float
-    queued: int
-    swept: int
-    binned: int
-    bin_left: float
-    bin_bottom: float
-    bin_side: float
-    bin_stride: int
-    bin_mask: int
-    bin_levels: int
-    iteration: int
-    cursor: int
-    pairs: int
-    found: int
-    step_hits: int
-    outside: int
-    braked: int
-    wanted_hits: int
-    wanted_relations: int
-    wanted_pairs: int
-    wanted_starts: int
-    wanted_cells: int
-    wanted_members: int
+    There are two rows, the second of which is the copy that a step which fails is rolled back to.
+    """
+
+    # settings
+    gravity_x: f8
+    gravity_y: f8
+    friction: f8
+    sleep_speed: f8
+    sleep_time: f8
+    rest_speed: f8  # below 0: twice the speed that gravity adds in a substep
+    max_speed: f8  # below 0: none
+    left: f8
+    bottom: f8
+    right: f8
+    top: f8
+    max_impacts: i8
+    substeps: i8
+    iterations: i8
+    levels: i8
+    detection: i8
+    broad_phase: i8
+    total_restitution: i8
+    bounded: i8
+    remove_strays: i8
+    # time
+    time: f8
+    next_id: i8
+    # statistics
+    box_tests: i8
+    full_tests: i8
+    collisions: i8
+    strays: i8
+    overlaps: i8
+    sleeping: i8
+    stalled: i8
+    squeezed: i8
+    slowed: i8
+    # counts of rows in use
+    balls: i8
+    shapes: i8
+    fixed: i8  # of the shapes in `order`, how many are static; the kinematic ones follow
+    hits: i8
+    relations: i8  # in use
+    relations_high: i8  # rows of the pool ever used; those above are free
+    free_relation: i4  # first of the released rows below `relations_high`, or NO_RELATION
+    wake: i4  # something was changed from outside
+    index_stale: i8  # the index of all shapes must be made anew
+    moving_stale: i8  # that of the kinematic shapes must
+    reach: f8  # the largest radius that the index is to serve
+    # the place of the step
+    dt: f8
+    steps_left: i8
+    stage: i8
+    stage_entered: i8  # whether what the stage does once is done
+    substep: i8
+    span_begin: f8  # of the substep that is done when the span begins, in seconds
+    span: f8  # its length: the substep, or until the next shape stops or arrives
+    queued: i8
+    swept: i8  # whether `pairs` are all that may meet in the span, if nothing changes a path
+    binned: i8
+    bin_left: f8
+    bin_bottom: f8
+    bin_side: f8
+    bin_stride: i8
+    bin_mask: i8
+    bin_levels: i8
+    iteration: i8
+    cursor: i8  # the ball or pair at which the stage goes on
+    pairs: i8
+    found: i8  # overlaps that this iteration has met
+    step_hits: i8  # hits there were when the step began
+    outside: i8  # balls wholly outside of the bounds
+    braked: i8  # balls with a friction of their own
+    wanted_hits: i8
+    wanted_relations: i8
+    wanted_pairs: i8
+    wanted_starts: i8
+    wanted_cells: i8
+    wanted_members: i8
+
+
+STATE = dtype_of(StateRow)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, TypedDict, TypeVar
+from typing import Annotated, Any, Protocol, TypedDict, TypeVar, get_type_hints
 
+import numpy as np
 from numpy.typing import NDArray
 
 #: Tables and rows where Python handles them as NumPy does; NumPy's typing cannot say which fields they have.
@@ -31,6 +32,21 @@ class Pairs(Protocol):
     def __setitem__(self, place: tuple[int, int], value: int, /) -> None: ...
 
     def __len__(self) -> int: ...
+
+
+# The types of fields: what a kernel sees, and what NumPy stores.
+f8 = Annotated[float, "f8"]
+i8 = Annotated[int, "i8"]
+i4 = Annotated[int, "i4"]
+u4 = Annotated[int, "u4"]
+u1 = Annotated[int, "u1"]
+f8x2 = Annotated[Table[float], "f8", (2,)]
+
+
+def dtype_of(row: type) -> np.dtype[Any]:
+    """The dtype of tables whose rows are as a class says, all of whose fields are of the types above."""
+    fields = get_type_hints(row, include_extras=True)
+    return np.dtype([(name, *field.__metadata__) for name, field in fields.items()])
 
 
 class Numbered(TypedDict):
