@@ -1,7 +1,7 @@
-"""Where the project's files are, and which of them are kernels."""
+"""Where the project's files are, which of them are kernels, and how a rule is held for all of them."""
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -47,3 +47,9 @@ def functions(path: Path) -> Iterator[Function]:
 def named(path: Path) -> str:
     """A file's path within the project, as a test's id."""
     return path.relative_to(ROOT).as_posix()
+
+
+def check_each(paths: Iterable[Path], faults: Callable[[Path], Iterable[str]]) -> None:
+    """Fail if anything is wrong with any of the files, and name all of it, each behind the file's path."""
+    found = [f"{named(path)}: {fault}" for path in paths for fault in faults(path)]
+    assert not found, "\n".join(["", *found])

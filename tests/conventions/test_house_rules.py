@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,9 +11,9 @@ from tests.conventions.source_trees import (
     PACKAGE,
     ROOT,
     Function,
+    check_each,
     functions,
     kernel_files,
-    named,
     package_files,
     python_files,
     tree,
@@ -69,47 +70,86 @@ def text_files() -> list[Path]:
     return sorted(path for path in texts if path.is_file() and path != Path(__file__))
 
 
-@pytest.mark.parametrize("path", python_files(), ids=named)
-def test_files_and_functions_are_short(path: Path) -> None:
+def too_long(path: Path) -> Iterator[str]:
+    """How long a file is and each of its functions, where that is too much."""
     lines = path.read_text(encoding="utf-8").splitlines()
-    assert len(lines) <= LONGEST_FILE
-    lengths = {function.name: code_lines(function, lines) for function in functions(path)}
-    assert {name: length for name, length in lengths.items() if length > LONGEST_FUNCTION} == {}
+    if len(lines) > LONGEST_FILE:
+        yield f"{len(lines)} lines"
+    for function in functions(path):
+        if code_lines(function, lines) > LONGEST_FUNCTION:
+            yield f"{function.name} has {code_lines(function, lines)} lines of code"
 
 
-@pytest.mark.parametrize("path", package_files(), ids=named)
-def test_public_names_are_documented_by_a_sentence(path: Path) -> None:
-    first_lines = {node.name: (ast.get_docstring(node) or "").partition("\n")[0] for node in public_definitions(path)}
-    assert {name: line for name, line in first_lines.items() if not line.endswith(".")} == {}
+def undocumented(path: Path) -> list[str]:
+    """The public names of a file that no sentence tells of."""
+    return [node.name for node in public_definitions(path) if not opens_with_a_sentence(node)]
 
 
-@pytest.mark.parametrize("path", kernel_files(), ids=named)
-def test_a_kernel_that_may_miss_says_so_itself_or_through_its_module(path: Path) -> None:
-    module_says = "None" in (ast.get_docstring(tree(path)) or "")
-    silent = [
+def opens_with_a_sentence(node: Documented | ast.Module) -> bool:
+    """Whether a docstring's first line is a sentence."""
+    return (ast.get_docstring(node) or "").partition("\n")[0].endswith(".")
+
+
+def silent_on_misses(path: Path) -> list[str]:
+    """The kernels of a file that may miss, where neither they nor the module say so."""
+    if "None" in (ast.get_docstring(tree(path)) or ""):
+        return []
+    return [
         function.name
         for function in functions(path)
         if function.returns is not None and ast.unparse(function.returns).endswith("| None")
-        if not module_says and "None" not in (ast.get_docstring(function) or "")
+        if "None" not in (ast.get_docstring(function) or "")
     ]
-    assert silent == []
 
 
-@pytest.mark.parametrize("path", package_files(), ids=named)
-def test_no_name_starts_with_get(path: Path) -> None:
-    assert [function.name for function in functions(path) if re.match("_?get_", function.name)] == []
-
-
-@pytest.mark.parametrize("path", python_files(), ids=named)
-def test_every_file_says_what_it_is(path: Path) -> None:
-    assert (ast.get_docstring(tree(path)) or "").partition("\n")[0].endswith(".")
-
-
-@pytest.mark.parametrize("path", text_files(), ids=named)
-def test_texts_speak_of_the_project_alone(path: Path) -> None:
+def foreign_words(path: Path) -> list[str]:
+    """What a text says of a machine, or of how the work was done."""
     text = path.read_text(encoding="utf-8")
-    assert MACHINE_PATH.findall(text) == []
-    assert WORKING_NOTE.findall(text) == []
+    return [found.group() for pattern in (MACHINE_PATH, WORKING_NOTE) for found in pattern.finditer(text)]
+
+
+def private_names_of_others(path: Path) -> list[str]:
+    """The private names that a file uses of anything but the object or the class whose method it stands in."""
+    attributes = [node for node in ast.walk(tree(path)) if isinstance(node, ast.Attribute)]
+    own = {node.attr for node in attributes if is_own(node.value)}
+    return [
+        ast.unparse(node)
+        for node in attributes
+        if re.match(r"_(?!_)", node.attr) and not is_own(node.value) and node.attr not in own
+    ]
+
+
+def is_own(node: ast.expr) -> bool:
+    """Whether an expression is the object or the class whose method it stands in."""
+    return isinstance(node, ast.Name) and node.id in {"self", "cls"}
+
+
+def test_files_and_functions_are_short() -> None:
+    check_each(python_files(), too_long)
+
+
+def test_public_names_are_documented_by_a_sentence() -> None:
+    check_each(package_files(), undocumented)
+
+
+def test_a_kernel_that_may_miss_says_so_itself_or_through_its_module() -> None:
+    check_each(kernel_files(), silent_on_misses)
+
+
+def test_no_name_starts_with_get() -> None:
+    check_each(package_files(), lambda path: [one.name for one in functions(path) if re.match("_?get_", one.name)])
+
+
+def test_every_file_says_what_it_is() -> None:
+    check_each(python_files(), lambda path: [] if opens_with_a_sentence(tree(path)) else ["no sentence at its top"])
+
+
+def test_texts_speak_of_the_project_alone() -> None:
+    check_each(text_files(), foreign_words)
+
+
+def test_games_use_no_private_names_of_others() -> None:
+    check_each(sorted((PACKAGE / "play").rglob("*.py")), private_names_of_others)
 
 
 def test_a_long_function_is_seen() -> None:
@@ -121,19 +161,3 @@ def test_a_long_function_is_seen() -> None:
 @pytest.mark.parametrize("text", ["see /home/someone/x", "/tmp/plan", "TODO later", "as issue 12 asks", "shared/spec"])
 def test_a_foreign_word_is_seen(text: str) -> None:
     assert MACHINE_PATH.search(text) or WORKING_NOTE.search(text)
-
-
-@pytest.mark.parametrize("path", sorted((PACKAGE / "play").rglob("*.py")), ids=named)
-def test_games_use_no_private_names_of_others(path: Path) -> None:
-    own = {node.attr for node in ast.walk(tree(path)) if isinstance(node, ast.Attribute) and is_own(node.value)}
-    others = [
-        ast.unparse(node)
-        for node in ast.walk(tree(path))
-        if isinstance(node, ast.Attribute) and re.match(r"_(?!_)", node.attr) and not is_own(node.value)
-    ]
-    assert [name for name in others if name.rpartition(".")[2] not in own] == []
-
-
-def is_own(node: ast.expr) -> bool:
-    """Whether an expression is the object or the class whose method it stands in."""
-    return isinstance(node, ast.Name) and node.id in {"self", "cls"}

@@ -6,7 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.conventions.source_trees import COMPILER_DOOR, functions, kernel_files, named, package_files, tree
+from tests.conventions.source_trees import (
+    COMPILER_DOOR,
+    check_each,
+    functions,
+    kernel_files,
+    named,
+    package_files,
+    tree,
+)
 
 MATH = {"atan2", "ceil", "copysign", "cos", "fabs", "floor", "inf", "isfinite", "pi", "sin", "sqrt"}
 FORBIDDEN_NAMES = {
@@ -150,26 +158,30 @@ def imports_numba(module: ast.Module) -> bool:
     return any(name.partition(".")[0] in {"numba", "llvmlite"} for name in names)
 
 
-@pytest.mark.parametrize("path", kernel_files(), ids=named)
-def test_a_kernel_module_uses_only_what_compiles_to_the_same_bits(path: Path) -> None:
-    assert refusals(tree(path)) == []
-
-
-@pytest.mark.parametrize("path", kernel_files(), ids=named)
-def test_a_kernel_unpacks_optional_results_and_never_indexes_them(path: Path) -> None:
-    optional = optional_functions()
-    assert [text for function in functions(path) for text in indexed_results(function, optional)] == []
-
-
-@pytest.mark.parametrize("path", kernel_files(), ids=named)
-def test_every_argument_of_a_kernel_is_annotated(path: Path) -> None:
-    bare = [
+def bare_arguments(path: Path) -> list[str]:
+    """The arguments of a file's functions that have no annotation."""
+    return [
         f"{function.name}({argument.arg})"
         for function in functions(path)
         for argument in function.args.args
         if argument.annotation is None and argument.arg != "self"
     ]
-    assert bare == []
+
+
+def test_a_kernel_module_uses_only_what_compiles_to_the_same_bits() -> None:
+    check_each(kernel_files(), lambda path: refusals(tree(path)))
+
+
+def test_a_kernel_unpacks_optional_results_and_never_indexes_them() -> None:
+    optional = optional_functions()
+    check_each(
+        kernel_files(),
+        lambda path: [text for function in functions(path) for text in indexed_results(function, optional)],
+    )
+
+
+def test_every_argument_of_a_kernel_is_annotated() -> None:
+    check_each(kernel_files(), bare_arguments)
 
 
 def test_the_compiler_is_imported_at_its_door_alone() -> None:
