@@ -147,8 +147,8 @@ class Compound(Group):
         Raises `InvalidArgument` for what is no shape, and for a shape that is a part already or in another world.
         """
         self._take("shape", [shape])
-        if self.world is not None and shape.world is None:
-            self.world._take_in((shape,))
+        if self.world is not None:
+            self.world._take_part(shape)
         return shape
 
     def _take(self, name: str, shapes: list[Shape]) -> None:

@@ -57,6 +57,7 @@ class Members:
         """Begin with no objects at all."""
         self._objects: dict[int, Shape | Ball] = {}
         self._added: dict[int, Shape | Compound] = {}
+        self._listed: list[Shape | Compound] = []
         self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
@@ -126,8 +127,22 @@ class Members:
                 self._enter(member)
             if isinstance(shape, Compound) or (isinstance(shape, Shape) and shape.compound is None):
                 self._added[each[0].id or 0] = shape
+                self._listed.append(shape)
         if shapes:
             self._rearrange()
+
+    def _take_part(self, shape: Shape) -> None:
+        """Take in a shape that has become part of a compound which is here; it is listed no more, if it was."""
+        if shape.world is None:
+            self._take_in((shape,))
+        elif self._added.pop(shape.id or 0, None) is not None:
+            self._listed = []
+
+    def _list(self) -> list[Shape | Compound]:
+        """What was added, in that order: a list that is made anew only after something was taken out."""
+        if len(self._listed) != len(self._added):
+            self._listed = list(self._added.values())
+        return self._listed
 
     def _enter(self, member: Shape | Ball) -> None:
         """Give a member a row at the end of its table, where there is room for it."""
@@ -205,6 +220,7 @@ class Members:
         gone = {table: self._none_of(table.count) for table in (self._room.balls, self._room.shapes)}
         for members in leavers:
             self._added.pop(members[0].id or 0, None)
+            self._listed = []
             for member in members:
                 table = self._room.balls if isinstance(member, Ball) else self._room.shapes
                 gone[table][table.index(member)] = True

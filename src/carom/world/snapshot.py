@@ -155,7 +155,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
     compounds = _restore_compounds(world, contents)
     _regroup(world, compounds, left)
     centers = {compound.id: compound for compound in compounds}
-    world._added = {}
+    world._added, world._listed = {}, []
     for key in contents.shapes["id"].tolist():
         member = world._objects[key]
         if key in centers:

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.rows.ball import BALL
+from carom.shapes.compound import Compound
+from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
-    from carom.shapes.compound import Compound
-    from carom.shapes.shape import Shape
     from carom.world.world import World
 
 
@@ -183,25 +183,23 @@ class Shapes(Sequence["Shape | Compound"]):
     def __init__(self, world: World) -> None:
         self._world = world
 
-    def _all(self) -> list[Shape | Compound]:
-        """What was added; a shape that has become part of a compound since is not one of them."""
-        return [shape for shape in list(self._world._added.values()) if getattr(shape, "compound", None) is None]
-
     def __len__(self) -> int:
-        return len(self._all())
+        return len(self._world._added)
 
     @overload
     def __getitem__(self, index: int) -> Shape | Compound: ...
     @overload
     def __getitem__(self, index: slice) -> list[Shape | Compound]: ...
     def __getitem__(self, index: int | slice) -> Shape | Compound | list[Shape | Compound]:
-        return self._all()[index]
+        return self._world._list()[index]
 
     def __iter__(self) -> Iterator[Shape | Compound]:
-        return iter(self._all())
+        return iter(self._world._list()[:])
 
     def __contains__(self, shape: object) -> bool:
-        return any(shape is member for member in self._all())
+        if isinstance(shape, Compound):  # one has no parts where another world was restored over it
+            return bool(shape._parts) and shape.world is self._world
+        return isinstance(shape, Shape) and shape.world is self._world and shape.compound is None
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"

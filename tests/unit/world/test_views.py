@@ -1,5 +1,8 @@
 """`world.balls` and `world.shapes`: sequences of objects, and columns that are the world's own memory."""
 
+import random
+import sys
+
 import numpy as np
 import pytest
 
@@ -48,6 +51,85 @@ def test_shapes_are_a_sequence_of_the_very_objects() -> None:
     assert world.add(carom.Ball((9, 9), 1)) not in world.shapes
     with pytest.raises(IndexError):
         world.shapes[4]
+
+
+def shape_of(number: int) -> carom.Shape | carom.Compound:
+    """A shape, or every fifth time a compound."""
+    point = carom.Point((number, 0))
+    return carom.Compound([point], pivot=(0, 0)) if number % 5 == 0 else point
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_shapes_are_what_a_list_would_hold_whatever_comes_and_goes(seed: int) -> None:
+    chance = random.Random(seed)
+    world, listed, strangers = carom.World(), [], [carom.Point((0, 0)), carom.Compound([], pivot=(0, 0))]
+    snapshots = []
+    for number in range(150):
+        deed = chance.choice(("add", "add", "add", "remove", "join", "snapshot", "restore", "look"))
+        if deed == "add":
+            new = [shape_of(number + place) for place in range(chance.choice((1, 1, 3)))]
+            world.add(*new)
+            listed += new
+        elif deed == "remove" and listed:
+            leaving = chance.sample(listed, chance.randint(1, len(listed)) if chance.random() < 0.2 else 1)
+            world.remove(*leaving)
+            listed = [shape for shape in listed if shape not in leaving]
+            strangers += leaving
+        elif deed == "join" and any(isinstance(shape, carom.Compound) for shape in listed):
+            compound = chance.choice([shape for shape in listed if isinstance(shape, carom.Compound)])
+            part = chance.choice([shape for shape in listed if isinstance(shape, carom.Shape)] or [carom.Point((1, 2))])
+            compound.add(part)
+            listed = [shape for shape in listed if shape is not part]
+            strangers.append(part)
+        elif deed == "snapshot":
+            snapshots.append((world.snapshot(), [shape.id for shape in listed]))
+        elif deed == "restore" and snapshots:
+            snapshot, ids = chance.choice(snapshots)
+            strangers += listed
+            world.restore(snapshot)
+            listed = list(world.shapes)
+            assert [shape.id for shape in listed] == ids
+            strangers = [shape for shape in strangers if not any(shape is other for other in listed)]
+        elif deed == "look" and listed:
+            place = chance.randrange(-len(listed), len(listed))
+            assert world.shapes[place] is listed[place]
+            assert world.shapes[place:] == listed[place:]
+        assert len(world.shapes) == len(listed)
+        if number % 10 == 0:
+            assert list(world.shapes) == listed
+            assert all(shape in world.shapes for shape in listed)
+            assert not any(shape in world.shapes for shape in strangers)
+
+
+def test_shapes_may_be_added_and_taken_out_while_they_are_walked() -> None:
+    world = carom.World()
+    points = [world.add(carom.Point((n, 0))) for n in range(4)]
+    for shape in world.shapes:
+        world.add(carom.Point((9, 9)))
+        world.remove(shape)
+    assert len(world.shapes) == 4
+    assert not any(point in world.shapes for point in points)
+
+
+def test_finding_a_shape_or_a_ball_takes_no_more_work_among_many() -> None:
+    def calls_among(count: int) -> int:
+        world = carom.World()
+        shapes = world.add(*(carom.Point((n, 0)) for n in range(count)))
+        balls = world.add(*(carom.Ball((n, 0), 0.1) for n in range(count)))
+        calls: list[str] = []
+        for _ in range(2):  # the first time is for what is made once
+            calls.clear()
+            sys.setprofile(lambda _, event, about: calls.append(event) if "call" in event else None)
+            try:
+                found = world.shapes[count // 2], world.balls[count // 2], world.shapes[-1]
+                inside = shapes[-1] in world.shapes, balls[-1] in world.balls, len(world.shapes)
+            finally:
+                sys.setprofile(None)
+        assert found == (shapes[count // 2], balls[count // 2], shapes[-1])
+        assert inside == (True, True, count)
+        return len(calls)
+
+    assert calls_among(1000) == calls_among(10)
 
 
 @pytest.mark.parametrize("name", COLUMNS)
