@@ -9,6 +9,7 @@ import numpy as np
 
 from carom.rows.pose import pose
 from carom.scene.guarding import guarded
+from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 
 if TYPE_CHECKING:
@@ -52,7 +53,8 @@ def name_of(shape: Shape) -> str | None:
 def names_in(world: World) -> dict[int, str]:
     """The names of the shapes and balls that have one, by id; an empty one is none."""
     named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
-    named += [(ball.id, ball.name) for ball in world.balls]
+    # Balls whose objects nobody has asked for have no names.
+    named += [(key, member.name) for key, member in sorted(world._objects.items()) if isinstance(member, Ball)]
     return {member: name for member, name in named if member is not None and name}
 
 

@@ -49,6 +49,14 @@ def run(world: carom.World, steps: int) -> draw.Trace:
     return trace
 
 
+def test_a_picture_makes_no_objects_of_balls_that_nobody_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = world_of(carom.Ball((0, 9), 1, name="first"))
+    ids = world.add_balls([(3 * n, 0) for n in range(100)], radius=1.0)
+    world.object(int(ids[7])).name = "eighth"
+    monkeypatch.setattr(carom.Ball, "_of_row", None)
+    assert draw.picture_of(world).names == {1: "first", int(ids[7]): "eighth"}
+
+
 @pytest.mark.parametrize(
     ("shape", "look"),
     [
