@@ -79,9 +79,13 @@ def ray_arc(
     radius: float,
     dx: float,
     dy: float,
+    slop: float,
 ) -> tuple[float, float, float, float, float] | None:
-    """The first touch, from either side, with the arc of radius r about c from its end a to its end b, or None."""
-    fraction = impact_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0, 0.0, 1.0, 0.0)
+    """The first touch, from either side, with the arc of radius r about c from its end a to its end b, or None.
+
+    An end is met as far as `slop` past it.
+    """
+    fraction = impact_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0, 0.0, 1.0, slop)
     if fraction is None:
         return None
     return touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)

@@ -7,7 +7,7 @@ from math import fabs
 from carom.constants import END_SLOP, RAY_SLOP
 from carom.geometry.advance import advance_arc, advance_circle, advance_point, advance_segment
 from carom.geometry.impact import impact_arc, impact_circle, impact_point, impact_segment
-from carom.geometry.ray import ray_circle, ray_disc, ray_point, ray_segment, touch_of_perimeter
+from carom.geometry.ray import ray_arc, ray_circle, ray_disc, ray_point, ray_segment
 from carom.rows.kinds import is_straight, lets_pass
 from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
 
@@ -98,8 +98,7 @@ def ray_shape(
         tx, ty, extent = float(shape["tx"]), float(shape["ty"]), float(shape["length"])
         return ray_segment(ax - slop * tx, ay - slop * ty, tx, ty, extent + 2.0 * slop, x, y, radius, dx, dy)
     if kind == ARC:
-        fraction = impact_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0, 0.0, 1.0, slop)
-        return None if fraction is None else touch_of_perimeter(fraction, cx, cy, r, x, y, dx, dy)
+        return ray_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, slop)
     return None
 
 

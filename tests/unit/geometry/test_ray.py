@@ -51,9 +51,9 @@ def test_a_ray_from_within_a_solid_circle_inwards_is_stopped_at_once() -> None:
 
 
 def test_a_ray_meets_an_arc_within_its_sector() -> None:
-    assert ray.ray_arc(*RIGHT_HALF, 10.0, 3.0, 0.0, -12.0, 0.0) == pytest.approx((0.5, 4.0, 3.0, 0.8, 0.6))
-    assert ray.ray_arc(*RIGHT_HALF, -10.0, 3.0, 0.0, 28.0, 0.0) == pytest.approx((0.5, 4.0, 3.0, -0.8, -0.6))
-    assert ray.ray_arc(*RIGHT_HALF, -10.0, 3.0, 0.0, 12.0, 0.0) is None
+    assert ray.ray_arc(*RIGHT_HALF, 10.0, 3.0, 0.0, -12.0, 0.0, 0.0) == pytest.approx((0.5, 4.0, 3.0, 0.8, 0.6))
+    assert ray.ray_arc(*RIGHT_HALF, -10.0, 3.0, 0.0, 28.0, 0.0, 0.0) == pytest.approx((0.5, 4.0, 3.0, -0.8, -0.6))
+    assert ray.ray_arc(*RIGHT_HALF, -10.0, 3.0, 0.0, 12.0, 0.0, 0.0) is None
 
 
 def test_a_ray_never_meets_a_point_but_a_circle_does() -> None:
@@ -89,7 +89,7 @@ def test_the_circle_touches_the_point_and_the_normal_points_against_the_motion(
     for found in (
         ray.ray_segment(cx, cy, tx, ty, r, x, y, radius, dx, dy),
         ray.ray_circle(cx, cy, r, 0, x, y, radius, dx, dy),
-        ray.ray_arc(cx, cy, r, *ends, x, y, radius, dx, dy),
+        ray.ray_arc(cx, cy, r, *ends, x, y, radius, dx, dy, 0.0),
         ray.ray_point(bx, by, x, y, radius, dx, dy),
     ):
         if found is None or not clear:
@@ -112,7 +112,7 @@ def test_no_finite_numbers_make_nan_or_an_exception(numbers: list[float], radius
     for found in (
         ray.ray_segment(cx, cy, tx, ty, r, x, y, radius, dx, dy),
         ray.ray_circle(cx, cy, r, int(solid), x, y, radius, dx, dy),
-        ray.ray_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy),
+        ray.ray_arc(cx, cy, r, ax, ay, bx, by, x, y, radius, dx, dy, 0.0),
         ray.ray_point(cx, cy, x, y, radius, dx, dy),
     ):
         assert found is None or 0.0 <= found[0] <= 1.0
