@@ -5,10 +5,11 @@ Fields bear the names of the constructors' arguments and have their defaults.
 
 from __future__ import annotations
 
+from inspect import signature
 from math import isfinite
 from typing import Any, Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from carom.rows.ball import ALL_LAYERS
 from carom.scene.descriptor import Descriptor
@@ -27,42 +28,34 @@ from carom.scene.fields import (
 )
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
+from carom.typing import Detection, Restitution
+from carom.world.settings import Settings
+from carom.world.world import World
+
+
+def _setting(name: str) -> Any:
+    """The field of a world's setting, whose default and text are the world's."""
+    return Field(signature(World).parameters[name].default, description=vars(Settings)[name].__doc__)
 
 
 class WorldDescriptor(Descriptor):
     """The settings of a world."""
 
-    gravity: Vector = (0.0, 0.0)
-    """Acceleration (x, y) of all balls, in length/s²."""
-    detection: Literal["discrete", "continuous"] = "discrete"
-    """Whether overlaps are found after moving, or times of impact on the way."""
-    substeps: Substeps = 4
-    """Motion iterations per step."""
-    iterations: Iterations = 6
-    """Collision iterations per substep at most (discrete)."""
-    broad_phase: Literal["grid", "quadtree", "brute"] = "grid"
-    """How pairs are found; all find the same pairs, faster or slower."""
-    levels: Levels = 6
-    """Levels of the quadtree, the root included."""
-    restitution: Literal["normal", "total"] = "normal"
-    """Whether elasticity scales the normal part of a velocity or all of it."""
-    friction: NonNegative = 0.0
-    """Deceleration of every ball that has no friction of its own, in length/s²."""
-    sleep_speed: NonNegative = 0.0
-    """Speed below which a ball may fall asleep."""
-    sleep_time: NonNegative = 0.5
-    """Seconds below that speed before a ball sleeps."""
-    rest_speed: NonNegative | None = None
-    """Speed of approach below which an inelastic contact comes to rest; by default twice what gravity adds in a
-    substep."""
-    max_speed: Positive | None = None
-    """A faster ball is slowed to this after a response."""
-    max_impacts: Impacts = 100_000
-    """Impacts of a ball in a substep at most (continuous)."""
-    bounds: Sides | None = None
-    """Left, bottom, right and top of a box; a ball wholly outside of it is a stray."""
-    remove_strays: bool = False
-    """Whether strays are removed."""
+    gravity: Vector = _setting("gravity")
+    detection: Detection = _setting("detection")
+    substeps: Substeps = _setting("substeps")
+    iterations: Iterations = _setting("iterations")
+    broad_phase: Literal["grid", "quadtree", "brute"] = _setting("broad_phase")
+    levels: Levels = _setting("levels")
+    restitution: Restitution = _setting("restitution")
+    friction: NonNegative = _setting("friction")
+    sleep_speed: NonNegative = _setting("sleep_speed")
+    sleep_time: NonNegative = _setting("sleep_time")
+    rest_speed: NonNegative | None = _setting("rest_speed")
+    max_speed: Positive | None = _setting("max_speed")
+    max_impacts: Impacts = _setting("max_impacts")
+    bounds: Sides | None = _setting("bounds")
+    remove_strays: bool = _setting("remove_strays")
 
     def settings(self) -> dict[str, Any]:
         """The arguments for `World`."""

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeAlias, TypeVar, overload
 
 from numpy.typing import NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
 from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS, REASONS
-from carom.rows.tables import Row
+from carom.rows.state import StateRow
 from carom.shapes.aabb import Aabb
 from carom.turns import having
 from carom.typing import BroadPhase, Detection, Pair, Restitution, Vector
@@ -34,17 +34,18 @@ NONE = -1.0
 
 
 class Setting(Generic[T, S]):
-    """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there."""
+    """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there.
+
+    Its default is that of the keyword argument of `World`.
+    """
 
     def __init__(
         self,
-        default: T,
         check: Callable[[str, Any], T],
-        write: Callable[[Row, T], None],
-        read: Callable[[Row], T],
+        write: Callable[[StateRow, T], None],
+        read: Callable[[StateRow], T],
         doc: str,
     ) -> None:
-        self.default = default
         self.check = check
         self._write = write
         self._read = read
@@ -71,72 +72,74 @@ class Setting(Generic[T, S]):
         world._changed_all()
 
 
-def scalar(default: float, check: Callable[[str, Any], float], field: str, doc: str) -> Setting[float, float]:
-    """A setting that is one number."""
+def scalar(field: Literal["friction", "sleep_speed", "sleep_time"], doc: str) -> Setting[float, float]:
+    """A setting that is one number, not negative."""
 
-    def write(state: Row, value: float) -> None:
+    def write(state: StateRow, value: float) -> None:
         state[field] = value
 
-    return Setting(default, check, write, lambda state: float(state[field]), doc)
+    return Setting(checks.non_negative, write, lambda state: float(state[field]), doc)
 
 
 def optional(
-    default: float | None, check: Callable[[str, Any], float], field: str, doc: str
+    check: Callable[[str, Any], float], field: Literal["rest_speed", "max_speed"], doc: str
 ) -> Setting[float | None, float | None]:
     """A setting that is one number or None."""
 
     def checked(name: str, value: Any) -> float | None:
         return None if value is None else check(name, value)
 
-    def write(state: Row, value: float | None) -> None:
+    def write(state: StateRow, value: float | None) -> None:
         state[field] = NONE if value is None else value
 
-    def read(state: Row) -> float | None:
+    def read(state: StateRow) -> float | None:
         return None if state[field] < 0.0 else float(state[field])
 
-    return Setting(default, checked, write, read, doc)
+    return Setting(checked, write, read, doc)
 
 
-def count(default: int, most: int, field: str, doc: str) -> Setting[int, int]:
+def count(most: int, field: Literal["substeps", "iterations", "levels", "max_impacts"], doc: str) -> Setting[int, int]:
     """A setting that is a whole number of at least 1."""
 
     def check(name: str, value: Any) -> int:
         return checks.whole(name, value, 1, most, REASONS[name])
 
-    def write(state: Row, value: int) -> None:
+    def write(state: StateRow, value: int) -> None:
         state[field] = value
 
-    return Setting(default, check, write, lambda state: int(state[field]), doc)
+    return Setting(check, write, lambda state: int(state[field]), doc)
 
 
-def choice(default: W, choices: tuple[W, ...], field: str, doc: str) -> Setting[W, W]:
+def choice(
+    choices: tuple[W, ...], field: Literal["detection", "broad_phase", "total_restitution"], doc: str
+) -> Setting[W, W]:
     """A setting that is one of several words."""
 
     def check(name: str, value: Any) -> W:
         return checks.one_of(name, value, choices)
 
-    def write(state: Row, value: W) -> None:
+    def write(state: StateRow, value: W) -> None:
         state[field] = choices.index(value)
 
-    return Setting(default, check, write, lambda state: choices[int(state[field])], doc)
+    return Setting(check, write, lambda state: choices[int(state[field])], doc)
 
 
-def switch(default: bool, field: str, doc: str) -> Setting[bool, bool]:
+def switch(field: Literal["remove_strays"], doc: str) -> Setting[bool, bool]:
     """A setting that is on or off."""
 
-    def write(state: Row, value: bool) -> None:
+    def write(state: StateRow, value: bool) -> None:
         state[field] = value
 
-    return Setting(default, checks.flag, write, lambda state: bool(state[field]), doc)
+    return Setting(checks.flag, write, lambda state: bool(state[field]), doc)
 
 
-def vector(default: Vector, x: str, y: str, doc: str) -> Setting[Vector, Pair]:
+def vector(x: Literal["gravity_x"], y: Literal["gravity_y"], doc: str) -> Setting[Vector, Pair]:
     """A setting that is a pair of numbers."""
 
-    def write(state: Row, value: Vector) -> None:
+    def write(state: StateRow, value: Vector) -> None:
         state[x], state[y] = value
 
-    return Setting(default, checks.pair, write, lambda state: (float(state[x]), float(state[y])), doc)
+    return Setting(checks.pair, write, lambda state: (float(state[x]), float(state[y])), doc)
 
 
 def box(doc: str) -> Setting[Aabb | None, Sides | None]:
@@ -157,60 +160,53 @@ def box(doc: str) -> Setting[Aabb | None, Sides | None]:
         except InvalidArgument as error:
             raise InvalidArgument(f"{name}: {error}") from None
 
-    def write(state: Row, value: Aabb | None) -> None:
+    def write(state: StateRow, value: Aabb | None) -> None:
         sides = (0.0, 0.0, 0.0, 0.0) if value is None else (value.left, value.bottom, value.right, value.top)
         state["bounded"] = value is not None
         state["left"], state["bottom"], state["right"], state["top"] = sides
 
-    def read(state: Row) -> Aabb | None:
+    def read(state: StateRow) -> Aabb | None:
         if not state["bounded"]:
             return None
         return Aabb(float(state["left"]), float(state["bottom"]), float(state["right"]), float(state["top"]))
 
-    return Setting(None, check, write, read, doc)
+    return Setting(check, write, read, doc)
 
 
 class Settings:
     """The settings of a world, each an attribute that can be changed while the world runs."""
 
-    gravity = vector((0.0, 0.0), "gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
+    gravity = vector("gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
     detection: Setting[Detection, Detection] = choice(
-        "discrete",
         DETECTIONS,
         "detection",
         "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
         " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
     )
-    substeps = count(4, MOST_SUBSTEPS, "substeps", "Motion iterations per step.")
-    iterations = count(6, MOST_ITERATIONS, "iterations", "Collision iterations per substep at most (discrete).")
+    substeps = count(MOST_SUBSTEPS, "substeps", "Motion iterations per step.")
+    iterations = count(MOST_ITERATIONS, "iterations", "Collision iterations per substep at most (discrete).")
     broad_phase: Setting[BroadPhase, BroadPhase] = choice(
-        "grid", BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs."
+        BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs, faster or slower."
     )
-    levels = count(6, MOST_LEVELS, "levels", "Levels of the quadtree, the root included.")
+    levels = count(MOST_LEVELS, "levels", "Levels of the quadtree, the root included.")
     restitution: Setting[Restitution, Restitution] = choice(
-        "normal",
         RESTITUTIONS,
         "total_restitution",
         "What elasticity scales: the normal velocity, or all of it (`total`; static and kinematic shapes).",
     )
-    friction = scalar(
-        0.0,
-        checks.non_negative,
-        "friction",
-        "Deceleration of every ball that has no friction of its own, in length/s².",
-    )
-    sleep_speed = scalar(0.0, checks.non_negative, "sleep_speed", "Speed below which a ball may fall asleep.")
-    sleep_time = scalar(0.5, checks.non_negative, "sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")
+    friction = scalar("friction", "Deceleration of every ball that has no friction of its own, in length/s².")
+    sleep_speed = scalar("sleep_speed", "Speed below which a ball may fall asleep.")
+    sleep_time = scalar("sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")
     rest_speed = optional(
-        None,
         checks.non_negative,
         "rest_speed",
-        "Speed of approach below which an inelastic contact comes to rest; None: twice what gravity adds in a substep.",
+        "Speed of approach below which an inelastic contact comes to rest; by default twice what gravity adds in a"
+        " substep.",
     )
-    max_speed = optional(None, checks.positive, "max_speed", "A faster ball is slowed to this after a response.")
-    max_impacts = count(100_000, MOST_IMPACTS, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
-    bounds = box("A ball wholly outside of this box is a stray.")
-    remove_strays = switch(False, "remove_strays", "Whether strays are removed at the end of the step.")
+    max_speed = optional(checks.positive, "max_speed", "A faster ball is slowed to this after a response.")
+    max_impacts = count(MOST_IMPACTS, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
+    bounds = box("Left, bottom, right and top of a box; a ball wholly outside of it is a stray.")
+    remove_strays = switch("remove_strays", "Whether strays are removed at the end of the step.")
 
 
 SETTINGS: tuple[str, ...] = tuple(name for name, value in vars(Settings).items() if isinstance(value, Setting))

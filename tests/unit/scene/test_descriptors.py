@@ -10,7 +10,7 @@ import carom
 from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.shape_descriptors import PART_IS_SILENT_ON, CompoundDescriptor, ShapeDescriptor
-from carom.world.settings import SETTINGS, Settings
+from carom.world.settings import SETTINGS
 
 NOT_TEXT = (3, 1.5, True, ["a"], b"a", "\ud800")
 NOT_A_SWITCH = (0, 1, "true", None, [True])
@@ -192,8 +192,10 @@ def test_fields_are_the_constructors_arguments(model: Any) -> None:
 
 
 def test_world_fields_are_the_worlds_settings() -> None:
-    defaults = {name: vars(Settings)[name].default for name in SETTINGS}
+    defaults = {name: inspect.signature(carom.World).parameters[name].default for name in SETTINGS}
     assert described_by(WorldDescriptor) == defaults
+    texts = {name: getattr(carom.World, name).__doc__ for name in SETTINGS}
+    assert {name: field.description for name, field in WorldDescriptor.model_fields.items()} == texts
 
 
 # -- what the tables make -------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 import carom
-from carom.world.settings import SETTINGS, Settings
+from carom.world.settings import SETTINGS
 
 #: For every setting, another value than its default.
 OTHER: dict[str, Any] = {
@@ -27,6 +27,9 @@ OTHER: dict[str, Any] = {
     "remove_strays": True,
 }
 
+#: The defaults, as the signature has them.
+DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(carom.World).parameters.items()}
+
 
 def test_every_setting_is_known_here_and_documented() -> None:
     assert set(OTHER) == set(SETTINGS)
@@ -40,7 +43,7 @@ def test_the_keyword_arguments_are_the_settings_with_their_defaults() -> None:
     world = carom.World()
     for name, parameter in parameters.items():
         assert parameter.kind is inspect.Parameter.KEYWORD_ONLY
-        assert parameter.default == vars(Settings)[name].default == getattr(world, name), name
+        assert parameter.default == getattr(world, name), name
 
 
 @pytest.mark.parametrize("name", SETTINGS)
@@ -53,7 +56,7 @@ def test_a_setting_is_what_it_was_set_to_at_once_and_at_any_time(name: str) -> N
     assert getattr(world, name) == OTHER[name]
     world.step(0.1)
     assert getattr(world, name) == OTHER[name]
-    setattr(world, name, vars(Settings)[name].default)
+    setattr(world, name, DEFAULTS[name])
     assert world.digest() == (lambda twin: twin.restore(world.snapshot()) or twin.digest())(carom.World())
 
 
@@ -62,7 +65,7 @@ def test_a_setting_that_is_set_back_leaves_nothing_behind(name: str) -> None:
     world = carom.World()
     before = world.digest()
     setattr(world, name, OTHER[name])
-    setattr(world, name, vars(Settings)[name].default)
+    setattr(world, name, DEFAULTS[name])
     assert world.digest() == before
 
 
