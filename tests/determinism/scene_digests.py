@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 import carom
-from tests.sample_worlds import bits, crowded
+from tests.worlds import bits, crowded
 
 STEPS = 120
 DT = 1 / 60

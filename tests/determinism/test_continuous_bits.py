@@ -5,13 +5,13 @@ import pytest
 
 from carom import Ball
 from tests.fresh import printed
-from tests.sample_worlds import bits, crowded, starve
+from tests.worlds import bits, crowded, starve
 
 STEPS = 12
 
 PROGRAM = """
 from hashlib import blake2b
-from tests.sample_worlds import bits, crowded
+from tests.worlds import bits, crowded
 for seed in range(3):
     world = crowded(10, seed, detection="continuous")
     hits = b"".join(bits(world.step(0.05)) for _ in range(12))

@@ -1,17 +1,14 @@
 """Compiled, every function of geometry gives the same bits as interpreted."""
 
 import inspect
-import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from random import Random
-from types import ModuleType
 from typing import Any
 
 import pytest
 
 from carom.geometry import aabb, angle, arc, circle, entry, line, overlap, response, vector
-
-numba = pytest.importorskip("numba")
+from tests.determinism.both_ways import functions, numba, register, result_bits
 
 CASES = 300
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
@@ -38,20 +35,13 @@ TELLING = (
 )
 
 
-def functions(module: ModuleType) -> list[Callable[..., Any]]:
-    """The functions that a module defines itself."""
-    found = [part for _, part in inspect.getmembers(module, inspect.isfunction) if part.__module__ == module.__name__]
-    return sorted(found, key=lambda function: function.__code__.co_firstlineno)
-
-
 FUNCTIONS = [function for module in MODULES for function in functions(module)]
 
 
 @pytest.fixture(scope="module", autouse=True)
 def registered() -> None:
     """Make every function known to the compiler, for when another calls it."""
-    for function in FUNCTIONS:
-        numba.extending.register_jitable(function)
+    register(MODULES)
 
 
 def arguments(function: Callable[..., Any], random: Random) -> tuple[float, ...]:
@@ -64,21 +54,10 @@ def arguments(function: Callable[..., Any], random: Random) -> tuple[float, ...]
     return tuple(int(value > 1.0) if name == "solid" else value for name, value in zip(names, values, strict=True))
 
 
-def bits(result: Any) -> Iterator[bytes]:
-    """The bits of a result: of a number, of numbers, of a truth, or of a miss."""
-    if result is None or isinstance(result, bool):
-        yield repr(result).encode()
-    elif isinstance(result, tuple):
-        for part in result:
-            yield from bits(part)
-    else:
-        yield struct.pack("<d", result)
-
-
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: f"{function.__module__}.{function.__name__}")
 def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -> None:
     random = Random(function.__qualname__)
     compiled = numba.njit(function)
     for _ in range(CASES):
         given = arguments(function, random)
-        assert list(bits(compiled(*given))) == list(bits(function(*given))), given
+        assert list(result_bits(compiled(*given))) == list(result_bits(function(*given))), given

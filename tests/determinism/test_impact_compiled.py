@@ -23,9 +23,7 @@ from carom.geometry import (
     turning,
     vector,
 )
-from tests.determinism.test_geometry_compiled import bits, functions
-
-numba = pytest.importorskip("numba")
+from tests.determinism.both_ways import functions, numba, register, result_bits
 
 CASES = 3000
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
@@ -47,9 +45,7 @@ DOORS = [
 @pytest.fixture(scope="module", autouse=True)
 def registered() -> None:
     """Make every function known to the compiler, for when another calls it."""
-    for module in MODULES:
-        for function in functions(module):
-            numba.extending.register_jitable(function)
+    register(MODULES)
 
 
 def scene(random: Random) -> dict[str, Any]:
@@ -97,6 +93,6 @@ def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -
             numbers |= {"ax": numbers["cx"], "ay": numbers["cy"]}
         given = tuple(numbers[name] for name in names)
         result = function(*given)
-        assert list(bits(compiled(*given))) == list(bits(result)), given
+        assert list(result_bits(compiled(*given))) == list(result_bits(result)), given
         found += result is not None
     assert found > CASES // 50

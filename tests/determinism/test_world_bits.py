@@ -6,7 +6,7 @@ import pytest
 
 import carom
 from tests import fresh
-from tests.sample_worlds import bits, crowded, starve
+from tests.worlds import bits, crowded, starve
 
 WAYS = [(detection, phase) for detection in ("discrete", "continuous") for phase in ("grid", "quadtree", "brute")]
 

@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from tests import fresh
-from tests.sample_worlds import bits
+from tests.worlds import bits
 
 STEPS = 1000
 MOST_BALLS = 100

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from carom import Ball, Segment, World, scenes
 from tests.strategies import elasticities, masses, unit_vectors, vectors
+from tests.worlds import energy
 
 Vector = tuple[float, float]
 
@@ -16,11 +17,6 @@ Vector = tuple[float, float]
 def momentum(world: World) -> np.ndarray:
     """The sum of the balls' momenta."""
     return (world.balls.velocity * world.balls.mass[:, None]).sum(axis=0)
-
-
-def energy(world: World) -> float:
-    """The sum of the balls' energies of motion."""
-    return float(0.5 * (world.balls.mass * (world.balls.velocity**2).sum(axis=1)).sum())
 
 
 @given(vectors, vectors, masses, masses, unit_vectors, elasticities, st.sampled_from((0.0, 0.3, 0.99)))

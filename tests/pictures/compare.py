@@ -6,7 +6,6 @@ pygame brings, another one in another version; so of a word only how dark it is 
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +13,7 @@ import numpy as np
 import pytest
 
 from carom import draw
-
-os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-pygame = pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')
+from tests.pixels import blocks, pixels, pygame
 
 KEPT = Path(__file__).parent / "kept"
 #: Pixels: the side of the blocks whose mean colours are compared.
@@ -64,12 +61,6 @@ def check(name: str, picture: draw.Picture, theme: draw.ThemeName, *, renew: boo
         pytest.fail(f"{made} is not {path}: {'; '.join(faults[:4])}. If it is right: {RENEW}")
 
 
-def pixels(surface: Any) -> np.ndarray:
-    """The colours of a surface: (lines, columns, 3)."""
-    width, height = surface.get_size()
-    return np.frombuffer(pygame.image.tobytes(surface, "RGB"), np.uint8).reshape(height, width, 3).astype(float)
-
-
 def differences(made: np.ndarray, kept: np.ndarray, words: list[tuple[int, int, int, int]]) -> list[str]:
     """Where two pictures differ by more than they may, in words."""
     if made.shape != kept.shape:
@@ -82,17 +73,10 @@ def differences(made: np.ndarray, kept: np.ndarray, words: list[tuple[int, int, 
         difference = np.abs(made[box].mean(axis=(0, 1)) - kept[box].mean(axis=(0, 1))).max(initial=0.0)
         if difference > MOST_WORDS:
             faults.append(f"the words at ({left}, {top}) differ by {difference:.0f} levels")
-    masked = np.abs(blocks(made * plain[:, :, None]) - blocks(kept * plain[:, :, None])).max(axis=2)
+    masked = np.abs(blocks(made * plain[:, :, None], BLOCK) - blocks(kept * plain[:, :, None], BLOCK)).max(axis=2)
     lines, columns = np.nonzero(masked > MOST_MARKS)
     faults += [
         f"around ({BLOCK * column}, {BLOCK * line}) it differs by {masked[line, column]:.0f} levels"
         for line, column in zip(lines.tolist(), columns.tolist(), strict=True)
     ]
     return faults
-
-
-def blocks(picture: np.ndarray) -> np.ndarray:
-    """The mean colours of the blocks of a picture."""
-    lines, columns = picture.shape[0] // BLOCK, picture.shape[1] // BLOCK
-    cut = picture[: lines * BLOCK, : columns * BLOCK]
-    return cut.reshape(lines, BLOCK, columns, BLOCK, 3).mean(axis=(1, 3))

@@ -5,14 +5,11 @@ The renderer of letters and of smooth edges is pygame's, another one in another 
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
-import pytest
 
-os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-pygame = pytest.importorskip("pygame", reason='no pygame: pip install "carom[play]"')
+from tests.pixels import blocks, pixels, pygame
 
 KEPT = Path(__file__).parent / "kept"
 #: Pixels of the kept picture: the side of the blocks whose mean colours are compared.
@@ -43,13 +40,5 @@ def check(name: str, surface: pygame.Surface, *, renew: bool, folder: Path) -> N
 
 def different(made: pygame.Surface, kept: pygame.Surface) -> float:
     """The part of the blocks in which two pictures differ."""
-    differences = np.abs(blocks(made) - blocks(kept)).max(axis=2)
+    differences = np.abs(blocks(pixels(made), BLOCK) - blocks(pixels(kept), BLOCK)).max(axis=2)
     return float((differences > MOST_LEVELS).mean())
-
-
-def blocks(surface: pygame.Surface) -> np.ndarray:
-    """The mean colours of the blocks of a picture."""
-    width, height = surface.get_size()
-    pixels = np.frombuffer(pygame.image.tobytes(surface, "RGB"), np.uint8).reshape(height, width, 3).astype(float)
-    lines, columns = height // BLOCK, width // BLOCK
-    return pixels[: lines * BLOCK, : columns * BLOCK].reshape(lines, BLOCK, columns, BLOCK, 3).mean(axis=(1, 3))

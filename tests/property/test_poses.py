@@ -24,14 +24,14 @@ def parts(mover: Mover) -> Sequence[carom.Shape]:
     return [mover.center_point, *mover.shapes] if isinstance(mover, carom.Compound) else [mover]
 
 
-def bits(mover: Mover, fields: Sequence[str] = POSE) -> list[Any]:
-    """Where all parts of a shape or compound are."""
+def poses(mover: Mover, fields: Sequence[str] = POSE) -> list[Any]:
+    """The fields that say where all parts of a shape or compound are."""
     return [[part._row[field].item() for field in fields] for part in parts(mover)]
 
 
 def initial(mover: Mover) -> list[Any]:
     """What resetting promises to restore."""
-    return [bits(mover), mover.pivot, mover.orientation]
+    return [poses(mover), mover.pivot, mover.orientation]
 
 
 def made(kind: str, options: dict[str, Any]) -> Mover:
@@ -79,22 +79,22 @@ def travel(draw: st.DrawFn, mover: Mover, detection: str) -> None:
 def test_setting_what_is_so_already_changes_no_bit(detection: str, data: st.DataObject) -> None:
     mover = data.draw(movers())
     travel(data.draw, mover, detection)
-    before = bits(mover)
+    before = poses(mover)
     mover.rotate(mover.pivot, mover.orientation)
-    assert bits(mover) == before
+    assert poses(mover) == before
     mover.velocity = mover.velocity
     mover.angular_velocity = mover.angular_velocity
     mover.turn_limits = mover.turn_limits
     if isinstance(mover, carom.Compound):
         mover.orientation = mover.orientation
-    assert bits(mover) == before
+    assert poses(mover) == before
     fields = [field for field in POSE if field != "orientation"]
-    place = bits(mover, fields)
+    place = poses(mover, fields)
     mover.pivot = mover.pivot
-    assert bits(mover, fields) == place
+    assert poses(mover, fields) == place
     assert mover.orientation == 0.0
     mover.position = mover.position
-    assert bits(mover, fields) == place
+    assert poses(mover, fields) == place
 
 
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])

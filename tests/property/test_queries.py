@@ -12,6 +12,7 @@ from carom import Aabb, Arc, Ball, Circle, Gate, Point, Segment, World
 from carom.compiler import kernels as compiled
 from carom.world import search
 from tests import strategies
+from tests.worlds import world_of
 
 #: More queries than are answered without making grids.
 MANY = 40
@@ -45,15 +46,15 @@ def member_of(figure: strategies.Figure, role: str) -> Any:
     return Circle(given[:2], given[2], solid=kind == "disc", **options)
 
 
-def world_of(parts: Any, **settings: Any) -> tuple[World, list[Any]]:
+def peopled(parts: Any, **settings: Any) -> tuple[World, list[Any]]:
     """A world of members, and the members."""
-    world = World(**settings)
-    return world, [world.add(member_of(figure, role)) for figure, role in parts]
+    members = [member_of(figure, role) for figure, role in parts]
+    return world_of(*members, **settings), members
 
 
 def alone(part: Any) -> World:
     """A world of one member."""
-    return world_of([part])[0]
+    return world_of(member_of(*part))
 
 
 def asked_at_once(question: Any, *arguments: Any, **options: Any) -> Any:
@@ -67,7 +68,7 @@ def asked_at_once(question: Any, *arguments: Any, **options: Any) -> Any:
 def test_the_first_touch_is_that_of_the_member_that_is_touched_first(
     parts: Any, query: Any, radius: float, sensors: bool
 ) -> None:
-    world, shapes = world_of(parts)
+    world, shapes = peopled(parts)
     start, target = query
 
     def cast(place: World) -> Any:
@@ -93,7 +94,7 @@ def test_the_first_touch_is_that_of_the_member_that_is_touched_first(
 def test_a_touch_is_on_the_shape_and_its_normal_points_back_along_the_radius(
     parts: Any, query: Any, radius: float
 ) -> None:
-    world, shapes = world_of(parts)
+    world, shapes = peopled(parts)
     (x, y), (to_x, to_y) = query
     hit = world.circle_cast((x, y), radius, (to_x, to_y)) if radius else world.ray_cast((x, y), (to_x, to_y))
     overlaps = radius > 0.0 and any(shape.detect(Ball((x, y), radius)) is not None for shape in shapes)
@@ -112,7 +113,7 @@ def test_a_touch_is_on_the_shape_and_its_normal_points_back_along_the_radius(
 @given(members, queries)
 def test_a_way_that_is_free_is_free_the_other_way_round(parts: Any, query: Any) -> None:
     lines = [(figure, "shape") for figure, _ in parts if figure[0] != "disc"]
-    world, _ = world_of(lines)
+    world, _ = peopled(lines)
     start, target = query
     forth, back = world.ray_cast(start, target), world.ray_cast(target, start)
     # Through a tangent point or an end it is rounding that decides.
@@ -127,7 +128,7 @@ def test_a_way_that_is_free_is_free_the_other_way_round(parts: Any, query: Any) 
 
 @given(members, strategies.points, st.booleans())
 def test_the_nearest_is_the_member_at_the_least_distance(parts: Any, point: Any, sensors: bool) -> None:
-    world, shapes = world_of(parts)
+    world, shapes = peopled(parts)
     found = world.nearest(point, sensors=sensors)
     assert asked_at_once(world.nearest, point, sensors=sensors) == found
     nearest = inf, -1
@@ -160,7 +161,7 @@ def points_on(figure: strategies.Figure, count: int) -> Any:
 
 @given(members, queries)
 def test_a_box_holds_the_members_that_come_into_it(parts: Any, corners: Any) -> None:
-    world, shapes = world_of(parts)
+    world, shapes = peopled(parts)
     box = Aabb.at(corners[0]).including(corners[1])
     found = world.overlapping(box, sensors=True)
     many = world.overlapping(np.array([tuple(box)] * MANY), sensors=True)
@@ -179,7 +180,7 @@ def test_a_box_holds_the_members_that_come_into_it(parts: Any, corners: Any) -> 
 @given(members)
 def test_overlaps_are_the_contacts_that_detect_finds(parts: Any) -> None:
     balls = [((kind, given), "ball") for (kind, given), _ in parts if kind in ("circle", "disc")]
-    world, shapes = world_of(parts + balls)
+    world, shapes = peopled(parts + balls)
     expected = [
         contact
         for ball in world.balls
@@ -200,7 +201,7 @@ def test_overlaps_are_the_contacts_that_detect_finds(parts: Any) -> None:
 def test_the_broad_phase_of_the_world_changes_no_answer(parts: Any, query: Any) -> None:
     answers = []
     for broad_phase in ("brute", "grid", "quadtree"):
-        world, _ = world_of(parts, broad_phase=broad_phase)
+        world, _ = peopled(parts, broad_phase=broad_phase)
         world.step(0.01)
         answers.append(world.ray_cast(np.array([query[0]] * MANY), query[1]).tobytes())
     assert len(set(answers)) == 1

@@ -14,7 +14,7 @@ import carom
 from carom.rows.shape import ARC, SHAPE
 from carom.rows.state import STATE
 from carom.world.snapshot import HASH_SIZE, MAGIC
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet
 
 NAN, INF = float("nan"), float("inf")
 DAMAGES = 1000

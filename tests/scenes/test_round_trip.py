@@ -6,20 +6,13 @@ import pytest
 
 import carom
 from carom import scenes
-
-SMALL: dict[str, dict[str, int]] = {"galton": {"rows": 5, "balls": 50}, "gas": {"balls": 50}}
-
-
-def small(name: str) -> carom.Scene:
-    """A shipped scene, with few balls where their number can be chosen."""
-    made: carom.Scene = getattr(scenes, name)(**SMALL.get(name, {}))
-    return made
+from tests.worlds import small_scene
 
 
 @pytest.mark.parametrize("ending", ["toml", "json"])
 @pytest.mark.parametrize("name", scenes.names())
 def test_through_a_file(tmp_path: Path, name: str, ending: str) -> None:
-    scene = small(name)
+    scene = small_scene(name)
     path = tmp_path / f"{name}.{ending}"
     scene.save(path)
     loaded = carom.Scene.load(path)
@@ -32,14 +25,14 @@ def test_through_a_file(tmp_path: Path, name: str, ending: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in scenes.names() if name != "pool"])
 def test_through_a_world(name: str) -> None:
-    world = small(name).build()
+    world = small_scene(name).build()
     twin = carom.Scene.from_world(world).build()
     assert twin.digest() == world.digest()
 
 
 @pytest.mark.parametrize("name", scenes.names())
 def test_through_a_world_that_has_run(tmp_path: Path, name: str) -> None:
-    world = small(name).build()
+    world = small_scene(name).build()
     world.run(0.5)
     scene = carom.Scene.from_world(world)
     scene.save(tmp_path / "end.toml")

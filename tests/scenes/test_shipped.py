@@ -8,6 +8,7 @@ import pytest
 
 import carom
 from carom import scenes
+from tests.worlds import energy
 
 DT = 1.0 / 60.0
 
@@ -33,13 +34,6 @@ ELASTIC = ("gas", "newtons_cradle", "sinai", "stadium")
 #: Heaps and crowds take seconds; every other scene is quick.
 LONG = {"galton", "gas"}
 SCENES = [pytest.param(name, marks=pytest.mark.slow if name in LONG else ()) for name in scenes.names()]
-
-
-def energy(world: carom.World) -> float:
-    """Kinetic and potential energy of all balls."""
-    balls = world.balls
-    moving = 0.5 * balls.mass @ (balls.velocity**2).sum(axis=1)
-    return float(moving - balls.mass @ (balls.position @ np.array(world.gravity)))
 
 
 def check(world: carom.World, name: str) -> None:

@@ -1,7 +1,7 @@
 """Closed rooms of any make, many balls in them that do not meet each other, and worlds of a few shapes."""
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from math import atan2, cos, hypot, pi, sin, sqrt
 from random import Random
 from typing import Any
@@ -10,23 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import carom
+from tests.worlds import continuous_world, guarded
 
 Floats = NDArray[np.float64]
 Pair = tuple[float, float]
 
-
-def world_of(shapes: Iterable[carom.Shape], **settings: object) -> carom.World:
-    """A continuous world of one substep a step, without a rest speed, that holds the shapes."""
-    chosen: dict[str, object] = {"detection": "continuous", "substeps": 1, "rest_speed": 0.0}
-    world = carom.World(**(chosen | settings))  # type: ignore[arg-type]
-    for shape in shapes:
-        world.add(shape)
-    return world
-
-
-def guarded(shapes: Sequence[carom.Shape]) -> list[carom.Shape]:
-    """The shapes and the points that guard their ends."""
-    return [*shapes, *carom.guard_points(list(shapes))]
+#: Worlds of one substep a step, without a rest speed.
+exact_world = partial(continuous_world, substeps=1, rest_speed=0.0)
 
 
 def add_loners(world: carom.World, position: ArrayLike, velocity: ArrayLike, radius: ArrayLike) -> None:
@@ -44,12 +34,6 @@ def stadium(half: float, radius: float) -> list[carom.Shape]:
         carom.Arc((half, 0.0), radius, 1.5 * pi, 0.5 * pi),
         carom.Arc((-half, 0.0), radius, 0.5 * pi, 1.5 * pi),
     ]
-
-
-def box(width: float, height: float) -> list[carom.Shape]:
-    """Four walls from (0, 0) to (width, height)."""
-    corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
-    return [carom.Segment(corners[i - 1], corners[i]) for i in range(4)]
 
 
 def ring(center: Pair, radius: float, pieces: int) -> list[carom.Shape]:

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import carom
-from tests.physics.continuous.rooms import Floats, add_loners, box, stadium, world_of
+from tests.physics.continuous.rooms import Floats, add_loners, exact_world, stadium
+from tests.worlds import box
 
 IMPACTS = 1_000_000
 BALLS = 50
@@ -17,7 +18,7 @@ RADIUS = 0.1
 def mean_free_path(shapes: list[carom.Shape], position: Floats, expected: float, seed: int) -> float:
     """The length of way per impact, over a million of them, of balls of speed 1."""
     angle = np.random.default_rng(seed).uniform(0.0, 2.0 * pi, len(position))
-    world = world_of(shapes)
+    world = exact_world(*shapes)
     add_loners(world, position, np.column_stack((np.cos(angle), np.sin(angle))), RADIUS)
     steps = 20
     length = IMPACTS * expected / (len(position) * steps)

@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import carom
-from tests.physics.continuous.rooms import box, guarded, random_room, world_of
-from tests.sample_worlds import crowded
+from tests.physics.continuous.rooms import exact_world, random_room
+from tests.worlds import box, crowded, guarded
 
 
 def test_a_ball_in_too_many_impacts_stands_still_and_is_counted() -> None:
-    world = world_of([carom.Segment((x, -1.0), (x, 1.0)) for x in (0.0, 1.0)], max_impacts=50)
+    world = exact_world(*[carom.Segment((x, -1.0), (x, 1.0)) for x in (0.0, 1.0)], max_impacts=50)
     ball = world.add(carom.Ball((0.5, 0.0), 0.25, velocity=(1000.0, 0.0)))
     assert len(world.step(1.0)) == 50
     assert world.statistics.stalled == 1
@@ -23,7 +23,7 @@ def test_a_ball_in_too_many_impacts_stands_still_and_is_counted() -> None:
 
 
 def test_inelastic_collapse_ends() -> None:
-    world = world_of([], max_impacts=1000)
+    world = exact_world(max_impacts=1000)
     for k, speed in enumerate((1.0, 0.0, -1.0)):
         world.add(carom.Ball((1.5 * k, 0.0), 0.5, velocity=(speed, 0.0), elasticity=0.1))
     for _ in range(3):
@@ -34,7 +34,7 @@ def test_inelastic_collapse_ends() -> None:
 
 
 def test_balls_that_overlap_at_first_are_moved_apart() -> None:
-    world = world_of(guarded(box(10.0, 10.0)))
+    world = exact_world(*guarded(box(10.0, 10.0)))
     random = Random(1)
     for _ in range(30):
         world.add(carom.Ball((random.uniform(3.0, 7.0), random.uniform(3.0, 7.0)), 0.5))
@@ -63,7 +63,7 @@ def test_many_substeps_find_the_impacts_of_few(seed: int) -> None:
     found = []
     for substeps in (1, 3, 40):
         random = Random(seed)
-        world = world_of(random_room(random).shapes, substeps=substeps)
+        world = exact_world(*random_room(random).shapes, substeps=substeps)
         for k in range(4):
             place = (2.0 * (k % 2) - 1.0, 2.0 * (k // 2) - 1.0)
             velocity = (random.gauss(0.0, 6.0), random.gauss(0.0, 6.0))

@@ -6,7 +6,8 @@ from random import Random
 import pytest
 
 import carom
-from tests.physics.continuous.rooms import box, random_room, ring, stadium, world_of
+from tests.physics.continuous.rooms import exact_world, random_room, ring, stadium
+from tests.worlds import box, energy
 
 IMPACTS = 1_000_000
 DRIFT = 1e-9
@@ -14,7 +15,7 @@ DRIFT = 1e-9
 
 def sent(shapes: list[carom.Shape], position: tuple[float, float], angle: float, radius: float) -> carom.World:
     """A world with one ball of speed 1."""
-    world = world_of(shapes)
+    world = exact_world(*shapes)
     world.add(carom.Ball(position, radius, velocity=(cos(angle), sin(angle))))
     return world
 
@@ -57,13 +58,13 @@ def test_energy_and_angular_momentum_in_a_round_room(pieces: int, angle: float) 
     center, radius = (0.25, -0.5), 2.0
     wall: list[carom.Shape] = ring(center, radius, pieces) if pieces else [carom.Circle(center, radius)]
     world = sent(wall, (1.0, 0.3), angle, 0.1)
-    before = momentum(world, center)
+    before = angular_momentum(world, center)
     run_impacts(world, IMPACTS, 10_000.0)
     assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
-    assert abs(momentum(world, center) - before) < DRIFT * radius
+    assert abs(angular_momentum(world, center) - before) < DRIFT * radius
 
 
-def momentum(world: carom.World, center: tuple[float, float]) -> float:
+def angular_momentum(world: carom.World, center: tuple[float, float]) -> float:
     """The angular momentum of a world's only ball about a point, per mass."""
     (x, y), (vx, vy) = world.balls[0].position, world.balls[0].velocity
     return (x - center[0]) * vy - (y - center[1]) * vx
@@ -73,7 +74,7 @@ def momentum(world: carom.World, center: tuple[float, float]) -> float:
 @pytest.mark.compiled
 def test_energy_and_momentum_of_many_balls() -> None:
     random = Random(5)
-    world = world_of(box(10.0, 10.0))
+    world = exact_world(*box(10.0, 10.0))
     for i in range(64):
         place = (0.7 + 1.2 * (i % 8), 0.7 + 1.2 * (i // 8))
         velocity = (random.gauss(0.0, 1.0), random.gauss(0.0, 1.0))
@@ -85,22 +86,17 @@ def test_energy_and_momentum_of_many_balls() -> None:
     assert energy(world) == pytest.approx(before, rel=DRIFT)
 
 
-def energy(world: carom.World) -> float:
-    """Twice the kinetic energy of all balls."""
-    return float((world.balls.mass * (world.balls.velocity**2).sum(axis=1)).sum())
-
-
 @pytest.mark.compiled
 @pytest.mark.parametrize("slope", [1e-2, 1e-3, 1e-4])
 def test_flat_bounces_stay_bounces_in_long_steps(slope: float) -> None:
     # Rebounds a thousandth of a second apart, in a step of 50 seconds, are no contact that lasts.
     world = sent([carom.Circle((0.0, 0.0), 2.0)], (0.0, -1.9), slope, 0.1)
-    before = momentum(world, (0.0, 0.0))
+    before = angular_momentum(world, (0.0, 0.0))
     hits = world.step(50.0 * slope / 1e-3)
     # A chord takes 2·1.9·sin(slope) seconds.
     assert len(hits) == pytest.approx(50.0 * slope / 1e-3 / (3.8 * sin(slope)), abs=2.0)
     assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
-    assert momentum(world, (0.0, 0.0)) == pytest.approx(before, rel=DRIFT)
+    assert angular_momentum(world, (0.0, 0.0)) == pytest.approx(before, rel=DRIFT)
 
 
 @pytest.mark.parametrize("slope", [1e-2, 1e-3])

@@ -13,13 +13,13 @@ from tests.physics.continuous.rooms import (
     Pair,
     add_loners,
     around,
-    guarded,
+    exact_world,
     launches,
     mixers,
     random_room,
     steps_apart,
-    world_of,
 )
+from tests.worlds import guarded
 
 ROOMS = 100
 SHOTS = 100_000
@@ -36,7 +36,7 @@ def test_no_launch_ends_outside_of_its_room(launch_count: int) -> None:
         room = random_room(random)
         gravity = (0.0, 0.0) if seed % 2 else (random.gauss(0.0, 1.0), 10.0 ** random.uniform(-3.0, 1.0))
         radius = 10.0 ** random.uniform(-1.5, -0.1)
-        world = world_of(room.shapes, gravity=gravity)
+        world = exact_world(*room.shapes, gravity=gravity)
         add_loners(world, *launches(random, count, room.free, radius, 0.01, 1000.0), radius)
         for step in range(3):
             world.step(1.0)
@@ -59,7 +59,7 @@ def test_no_launch_escapes_from_what_turns_inside_a_room(launch_count: int) -> N
         radius = 10.0 ** random.uniform(-1.5, -0.35)
         reach = 1.5
         gravity = (0.0, 0.0) if seed % 2 else (random.gauss(0.0, 1.0), 10.0 ** random.uniform(-3.0, 1.0))
-        world = world_of(room.shapes, gravity=gravity)
+        world = exact_world(*room.shapes, gravity=gravity)
         for mixer in mixers(random, reach, 100.0):
             world.add(mixer)
         place, velocity = launches(random, launch_count // ROOMS, 1.0, radius, 0.01 / dt, 1000.0 / dt)
@@ -90,7 +90,7 @@ def test_no_launch_leaves_a_ring_of_either_make(launch_count: int) -> None:
     random = Random(1)
     for pieces, gravity in ((0, (0.0, 0.0)), (0, (0.5, -2.0)), (5, (0.0, 0.0)), (5, (0.5, -2.0))):
         wall = [carom.Circle((0.0, 0.0), 5.0)] if pieces == 0 else ring_of(pieces)
-        world = world_of(wall, gravity=gravity)
+        world = exact_world(*wall, gravity=gravity)
         radius = 0.3
         add_loners(world, *launches(random, launch_count // 40, 4.0, radius, 0.01, 1000.0), radius)
         for _ in range(3):
@@ -164,7 +164,7 @@ def test_a_shot_at_an_exact_joint_bounces_once(joint: str, gravity: float) -> No
         turn = random.choice((0.0, 0.5 * pi, pi, random.uniform(-pi, pi), random.uniform(-pi, pi)))
         shapes, up, spread = JOINTS[joint](turn)
         normal = (cos(up), sin(up))
-        world = world_of(guarded(shapes), gravity=(-gravity * normal[0], -gravity * normal[1]))
+        world = exact_world(*guarded(shapes), gravity=(-gravity * normal[0], -gravity * normal[1]))
         position, velocity = aimed(random, each + 1, up, spread, radius, gravity)
         add_loners(world, position, velocity, radius)
         hits = np.asarray(world.step(0.3))

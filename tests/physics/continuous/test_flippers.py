@@ -1,31 +1,28 @@
 """Shapes that move and turn in the continuous mode: met at any speed, in their own frame, stopped exactly."""
 
+from functools import partial
 from math import acos, asin, cos, hypot, pi, sin
 from typing import Any
 
 import numpy as np
 import pytest
 
-from carom import Arc, Ball, Circle, Compound, Point, Segment, World, guard_points
+from carom import Arc, Ball, Circle, Compound, Point, Segment, guard_points
 from carom.shapes.shape import Shape
+from tests.worlds import continuous_world
+
+#: Worlds without gravity or rest speed.
+lively_world = partial(continuous_world, rest_speed=0.0)
 
 G = 10.0
-
-
-def world_of(*shapes: Shape | Compound, **settings: Any) -> World:
-    """A continuous world without gravity or rest speed that holds the shapes."""
-    world = World(**({"detection": "continuous", "rest_speed": 0.0} | settings))
-    for shape in shapes:
-        world.add(shape)
-    return world
 
 
 @pytest.mark.parametrize("velocity", [(0.0, 2.0), (3.0, 0.0), (1.0, -3.0), (0.0, 50.0)])
 @pytest.mark.parametrize("elasticity", [1.0, 0.8, 0.5])
 def test_a_platform_that_travels_is_a_floor_in_its_own_frame(velocity: tuple[float, float], elasticity: float) -> None:
     ux, uy = velocity
-    lift = world_of(Segment((-5, 0), (5, 0), motion="kinematic", velocity=velocity), gravity=(0, -G))
-    still = world_of(Segment((-5, 0), (5, 0)), gravity=(0, -G))
+    lift = lively_world(Segment((-5, 0), (5, 0), motion="kinematic", velocity=velocity), gravity=(0, -G))
+    still = lively_world(Segment((-5, 0), (5, 0)), gravity=(0, -G))
     one = lift.add(Ball((0, 1.7), 0.5, velocity=(ux + 0.1, uy + 1), elasticity=elasticity))
     other = still.add(Ball((0, 1.7), 0.5, velocity=(0.1, 1), elasticity=elasticity))
     hits, expected = np.asarray(lift.run(3)), np.asarray(still.run(3))
@@ -39,7 +36,7 @@ def test_a_platform_that_travels_is_a_floor_in_its_own_frame(velocity: tuple[flo
 @pytest.mark.parametrize("speed", [1.0, 1e2, 1e4])
 @pytest.mark.parametrize("elasticity", [1.0, 0.5])
 def test_a_paddle_throws_a_ball_at_rest(speed: float, elasticity: float) -> None:
-    world = world_of(Segment((0, -5), (0, 5), motion="kinematic", velocity=(speed, 0)))
+    world = lively_world(Segment((0, -5), (0, 5), motion="kinematic", velocity=(speed, 0)))
     ball = world.add(Ball((3, 0.3), 0.5, elasticity=elasticity))
     (hit,) = world.step(5 / speed)
     assert hit.time == pytest.approx(2.5 / speed, rel=1e-12)
@@ -56,7 +53,7 @@ def bar(**motion: Any) -> Segment:
 @pytest.mark.parametrize("elasticity", [1.0, 0.5])
 def test_a_ball_that_rests_on_a_flipper_is_thrown_when_it_starts(spin: float, elasticity: float) -> None:
     flipper = bar(turn_limits=(0, 0.8))
-    world = world_of(flipper, gravity=(0, -G), rest_speed=None)
+    world = lively_world(flipper, gravity=(0, -G), rest_speed=None)
     ball = world.add(Ball((2, 0.5), 0.5, elasticity=elasticity))
     assert len(world.run(0.5)) == 0
     assert ball.position == pytest.approx((2, 0.5), abs=1e-9)
@@ -74,7 +71,7 @@ def test_a_ball_that_rests_on_a_flipper_is_thrown_when_it_starts(spin: float, el
 
 @pytest.mark.parametrize("spin", [2.0, 30.0])
 def test_a_ball_without_elasticity_is_carried_along_a_turning_bar(spin: float) -> None:
-    world = world_of(bar(angular_velocity=spin), substeps=8)
+    world = lively_world(bar(angular_velocity=spin), substeps=8)
     ball = world.add(Ball((1, 0.5), 0.5, elasticity=0))
     # Along the bar s'' = ω²s from s = 1, s' = ω·0.5: the ball is at rest at first, and the surface moves under it.
     turn = 0.6
@@ -92,7 +89,7 @@ def test_a_ball_without_elasticity_is_carried_along_a_turning_bar(spin: float) -
 def test_a_bar_from_behind_hits_when_it_comes(spin: float) -> None:
     rng = np.random.default_rng(0)
     for _ in range(50):
-        world = world_of(bar(angular_velocity=spin))
+        world = lively_world(bar(angular_velocity=spin))
         place, away = rng.uniform(0.5, 2 * pi - 0.5), rng.uniform(1, 3.9)
         ball = world.add(Ball((away * cos(place), away * sin(place)), 0.2, elasticity=rng.choice([0, 0.5, 1])))
         touch = place - asin(0.2 / away)
@@ -109,7 +106,7 @@ def test_a_flipper_stops_exactly_and_is_still_from_then_on(spin: float) -> None:
     flipper = bar(turn_limits=(0, stop), angular_velocity=spin)
     away = 3.0
     place = stop + asin(0.5 / away) + 0.1
-    world = world_of(flipper)
+    world = lively_world(flipper)
     ball = world.add(Ball((away * cos(place), away * sin(place)), 0.5, velocity=(0, -1)))
     hits = world.step(1 / 2)
     assert flipper.orientation == stop
@@ -132,7 +129,7 @@ def test_a_kinematic_shape_at_rest_is_a_static_one_to_the_last_bit() -> None:
             Arc((3, 3.5), 0.7, 1, 5, motion=motion),
             Point((1, 4), motion=motion),
         ]
-        world = world_of(*walls, *guard_points(walls), gravity=(0.3, -4), rest_speed=None)
+        world = lively_world(*walls, *guard_points(walls), gravity=(0.3, -4), rest_speed=None)
         world.add_balls([(1, 1), (3, 1), (1.5, 3)], velocity=(2.0, 3.1), radius=[0.2, 0.3, 0.1], elasticity=0.9)
         hits = np.asarray(world.run(10)).copy()
         runs.append((hits["time"].tobytes(), hits["impulse"].tobytes(), world.balls.position.tobytes()))
@@ -157,7 +154,7 @@ def flipper_of_arcs(spin: float) -> Compound:
 def test_nothing_gets_into_a_flipper(spin: float, elasticity: float) -> None:
     rng = np.random.default_rng(5)
     count = 40
-    world = world_of(flipper_of_arcs(spin), Circle((0, 0), 8), substeps=2)
+    world = lively_world(flipper_of_arcs(spin), Circle((0, 0), 8), substeps=2)
     angle, away = rng.uniform(0.4, 2 * pi - 0.4, count), rng.uniform(1, 7.5, count)
     radius = rng.uniform(0.05, 0.3, count)
     world.add_balls(np.stack([away * np.cos(angle), away * np.sin(angle)], 1), radius=radius, elasticity=elasticity)

@@ -6,14 +6,14 @@ Source: G. Galperin, Playing pool with π, Regular and Chaotic Dynamics 8 (2003)
 import pytest
 
 import carom
-from tests.physics.continuous.rooms import world_of
+from tests.physics.continuous.rooms import exact_world
 
 DIGITS = "31415"
 
 
 def blocks(ratio: float) -> carom.World:
     """A wall, a light ball at rest, and a heavy one that comes towards both, on a line."""
-    world = world_of([carom.Segment((0.0, -1.0), (0.0, 1.0))])
+    world = exact_world(carom.Segment((0.0, -1.0), (0.0, 1.0)))
     world.add(carom.Ball((1.0, 0.0), 0.25))
     world.add(carom.Ball((2.0, 0.0), 0.25, velocity=(-1.0, 0.0), mass=ratio))
     return world
@@ -36,7 +36,7 @@ def test_impacts_of_blocks_are_the_digits_of_pi(digits: int, substeps: int) -> N
 
 @pytest.mark.parametrize("moving", [1, 2, 3, 4])
 def test_newtons_cradle(moving: int) -> None:
-    world = world_of([])
+    world = exact_world()
     for k in range(5):
         gap = 1.0 if k < moving else 0.0
         world.add(carom.Ball((k - gap, 0.0), 0.5, velocity=(2.0 if k < moving else 0.0, 0.0)))

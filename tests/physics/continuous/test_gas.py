@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import carom
-from tests.physics.continuous.rooms import Floats, box, world_of
+from tests.physics.continuous.rooms import Floats, exact_world
+from tests.worlds import box
 
 DISCS = 2000
 RADIUS = 0.5
@@ -30,7 +31,7 @@ def gas(filled: float) -> tuple[carom.World, float]:
     free = 0.5 * spacing - RADIUS
     position = random.permutation(lattice + random.uniform(-free, free, lattice.shape))[:DISCS]
     angle = random.uniform(0.0, 2.0 * pi, DISCS)
-    world = world_of(box(side, side))
+    world = exact_world(*box(side, side))
     world.add_balls(position, np.column_stack((np.cos(angle), np.sin(angle))), radius=RADIUS)
     return world, side
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import carom
-from tests.physics.continuous.rooms import world_of
+from tests.physics.continuous.rooms import exact_world
 
 GRAVITY = 9.81
 
@@ -20,7 +20,7 @@ def energies(world: carom.World) -> float:
 @pytest.mark.parametrize("substeps", [1, 4])
 @pytest.mark.compiled
 def test_apex_of_a_ball_on_a_floor(substeps: int) -> None:
-    world = world_of([carom.Segment((-1.0, 0.0), (1.0, 0.0))], gravity=(0.0, -GRAVITY), substeps=substeps)
+    world = exact_world(carom.Segment((-1.0, 0.0), (1.0, 0.0)), gravity=(0.0, -GRAVITY), substeps=substeps)
     radius, height = 0.25, 2.0
     ball = world.add(carom.Ball((0.0, radius + height), radius))
     bounces = 0
@@ -52,7 +52,7 @@ FLOORS = {
 @pytest.mark.parametrize("floor", FLOORS)
 def test_energy_on_a(floor: str) -> None:
     shapes = FLOORS[floor]()
-    world = world_of(shapes, gravity=(0.0, -GRAVITY))
+    world = exact_world(*shapes, gravity=(0.0, -GRAVITY))
     world.add(carom.Ball((0.01, 0.8), 0.25, velocity=(0.3, 0.0)))
     before, impacts = energies(world), 0
     while impacts < 100_000:
@@ -65,7 +65,7 @@ def test_energy_on_a(floor: str) -> None:
 
 
 def test_a_kick_is_limited_at_once() -> None:
-    world = world_of([], max_speed=5.0)
+    world = exact_world(max_speed=5.0)
     world.add(carom.Circle((0, 0), 1.0, solid=True, kick=100.0))
     ball = world.add(carom.Ball((4, 0), 0.5, velocity=(-5, 0)))
     world.step(1.0)

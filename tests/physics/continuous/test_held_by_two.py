@@ -1,27 +1,23 @@
 """Lasting contacts with two shapes at once, and of balls that lean on each other."""
 
+from functools import partial
 from math import asin, cos, pi, sin
-from typing import Any
 
 import pytest
 
 from carom import Ball, Circle, Segment, World
 from carom.world.kernels.continuous.encounter import keep_push_out
+from tests.worlds import continuous_world
 
-
-def world_of(*shapes: Any, **settings: Any) -> World:
-    """A continuous world with gravity that holds the shapes, in which a ball is soon stalled."""
-    world = World(**({"gravity": (0.0, -10.0), "detection": "continuous", "max_impacts": 1000} | settings))
-    for shape in shapes:
-        world.add(shape)
-    return world
+#: Worlds with gravity in which a ball is soon stalled.
+stalling_world = partial(continuous_world, gravity=(0.0, -10.0), max_impacts=1000)
 
 
 @pytest.mark.parametrize("top", [4.9, 5.0, 5.1], ids=["overhanging", "upright", "leaning back"])
 @pytest.mark.parametrize("elasticity", [0.0, 0.5])
 def test_a_ball_rests_where_a_slope_ends_at_a_wall(top: float, elasticity: float) -> None:
     # Gravity does not press it onto the wall, the slope does.
-    world = world_of(Segment((-5, 1), (5, 0)), Segment((5, 0), (top, 5)))
+    world = stalling_world(Segment((-5, 1), (5, 0)), Segment((5, 0), (top, 5)))
     ball = world.add(Ball((4, 1), 0.5, elasticity=elasticity))
     world.run(4, dt=1 / 30)
     assert world.statistics.stalled == 0
@@ -35,7 +31,7 @@ def test_a_ball_rests_where_a_slope_ends_at_a_wall(top: float, elasticity: float
 @pytest.mark.parametrize("elasticity", [0.0, 0.6])
 def test_a_wedge_holds_a_ball_in_long_steps(dt: float, elasticity: float) -> None:
     slope = pi / 6
-    world = world_of(
+    world = stalling_world(
         Segment((-5, 5 * sin(slope) / cos(slope)), (0, 0)),
         Segment((0, 0), (5, 5 * sin(slope) / cos(slope))),
         substeps=1,
@@ -50,7 +46,7 @@ def test_a_wedge_holds_a_ball_in_long_steps(dt: float, elasticity: float) -> Non
 
 
 def test_two_balls_slide_round_a_bowl_in_contact_without_gravity() -> None:
-    world = world_of(Circle((0, 0), 5), gravity=(0, 0))
+    world = stalling_world(Circle((0, 0), 5), gravity=(0, 0))
     for side, speed in ((-1, 1.0), (1, 0.8)):
         angle = side * asin(0.5 / 4.5)
         place = (4.5 * cos(angle), 4.5 * sin(angle))
@@ -64,7 +60,7 @@ def test_two_balls_slide_round_a_bowl_in_contact_without_gravity() -> None:
     ("aim", "expected"), [((0.0, -3.0), (0.0, 0.5)), ((0.1, 0.58), (0.1, 0.58)), ((3.0, 0.6), (0.125, 0.6))]
 )
 def test_a_push_is_short_and_stops_at_a_wall(aim: tuple[float, float], expected: tuple[float, float]) -> None:
-    world = world_of(Segment((-5, 0), (5, 0)), gravity=(0, 0))
+    world = stalling_world(Segment((-5, 0), (5, 0)), gravity=(0, 0))
     world.add(Ball((0, 0.6), 0.5))
     world.step(0.01)
     states, balls, shapes, _order, index, cells, members = world._arguments[:7]

@@ -1,9 +1,9 @@
 """Contacts that last in the continuous mode: balls that rest, roll and slide, and leave when they are pulled off."""
 
 from copy import deepcopy
+from functools import partial
 from itertools import pairwise
 from math import cos, hypot, pi, sin, sqrt
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,22 +11,12 @@ import pytest
 from carom import Arc, Ball, Circle, Point, Segment, World, guard_points
 from carom.rows.relation import LASTING
 from carom.shapes.shape import Shape
+from tests.worlds import box, continuous_world, energy, guarded
 
 G = 10.0
 
-
-def world_of(*shapes: Shape, **settings: Any) -> World:
-    """A continuous world with gravity that holds the shapes."""
-    world = World(**({"gravity": (0.0, -G), "detection": "continuous"} | settings))
-    for shape in shapes:
-        world.add(shape)
-    return world
-
-
-def energy(world: World, ball: Ball) -> float:
-    """The energy of a ball per mass."""
-    (gx, gy), (x, y), (vx, vy) = world.gravity, ball.position, ball.velocity
-    return 0.5 * (vx * vx + vy * vy) - (gx * x + gy * y)
+#: Worlds with gravity.
+falling_world = partial(continuous_world, gravity=(0.0, -G))
 
 
 def held(world: World) -> int:
@@ -48,7 +38,7 @@ PLACES: dict[str, tuple[list[Shape], tuple[float, float], list[tuple[float, floa
 @pytest.mark.parametrize("elasticity", [0.0, 0.3, 0.6])
 def test_a_dropped_ball_comes_to_rest_where_it_is_held(place: str, elasticity: float) -> None:
     shapes, start, (rest,) = PLACES[place]
-    world = world_of(*deepcopy(shapes))
+    world = falling_world(*deepcopy(shapes))
     ball = world.add(Ball(start, 0.5, elasticity=elasticity))
     world.run(40, dt=1 / 30)
     assert len(world.run(2, dt=1 / 30)) == 0
@@ -62,17 +52,17 @@ def test_a_dropped_ball_comes_to_rest_where_it_is_held(place: str, elasticity: f
 @pytest.mark.parametrize("shape", [Arc((0, 0), 2, pi, 0), Circle((0, 0), 2)], ids=repr)
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9])
 def test_a_ball_swings_in_a_bowl_with_the_same_energy_for_ever(shape: Shape, elasticity: float) -> None:
-    world = world_of(deepcopy(shape))
+    world = falling_world(deepcopy(shape))
     radius, away = 0.3, 1.7
     ball = world.add(Ball((away * sin(1), -away * cos(1)), radius, elasticity=elasticity))
-    before = energy(world, ball)
+    before = energy(world)
     swings = 0
     was = ball.velocity[0]
     for _ in range(1500):
         tests = world.statistics.full_tests
         assert len(world.step(1 / 60)) == 0
         assert world.statistics.full_tests - tests <= 4 * 64 + 4
-        assert energy(world, ball) == pytest.approx(before, rel=1e-9)
+        assert energy(world) == pytest.approx(before, rel=1e-9)
         assert hypot(*ball.position) == pytest.approx(away, abs=1e-3 * radius)
         swings += was * ball.velocity[0] < 0
         was = ball.velocity[0]
@@ -83,7 +73,7 @@ def test_a_ball_swings_in_a_bowl_with_the_same_energy_for_ever(shape: Shape, ela
 
 @pytest.mark.compiled
 def test_the_period_of_a_small_swing_is_that_of_a_pendulum() -> None:
-    world = world_of(Circle((0, 0), 2))
+    world = falling_world(Circle((0, 0), 2))
     ball = world.add(Ball((1.7 * sin(1e-3), -1.7 * cos(1e-3)), 0.3, elasticity=0.5))
     period = 2 * pi * sqrt(1.7 / G)
     world.run(10 * period, dt=period / 100)
@@ -93,7 +83,7 @@ def test_the_period_of_a_small_swing_is_that_of_a_pendulum() -> None:
 
 @pytest.mark.parametrize("substeps", [1, pytest.param(4, marks=pytest.mark.compiled)])
 def test_a_ball_circles_without_gravity_at_its_speed(substeps: int) -> None:
-    world = world_of(Circle((1, 2), 2), gravity=(0, 0), substeps=substeps)
+    world = falling_world(Circle((1, 2), 2), gravity=(0, 0), substeps=substeps)
     ball = world.add(Ball((1 + 1.7, 2), 0.3, velocity=(0, 3), elasticity=0.5))
     turned = 3 / 1.7 * 10
     assert len(world.run(10)) == 0
@@ -105,15 +95,15 @@ def test_a_ball_circles_without_gravity_at_its_speed(substeps: int) -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("first", [1e-4, 0.3])
 def test_a_ball_that_slides_down_a_dome_leaves_it_at_two_thirds_of_its_height(first: float) -> None:
-    world = world_of(Circle((0, 0), 2, solid=True))
+    world = falling_world(Circle((0, 0), 2, solid=True))
     ball = world.add(Ball((2.5 * sin(first), 2.5 * cos(first)), 0.5, elasticity=0.5))
-    before = energy(world, ball)
+    before = energy(world)
     world.step(1e-4)
     while held(world):
         at = ball.position[1] / hypot(*ball.position)
         assert len(world.step(1e-4 if at < 0.7 else 2e-3)) == 0
     assert ball.position[1] / hypot(*ball.position) == pytest.approx(2 / 3 * cos(first), abs=2e-4)
-    assert energy(world, ball) == pytest.approx(before, rel=1e-9)
+    assert energy(world) == pytest.approx(before, rel=1e-9)
 
 
 @pytest.mark.compiled
@@ -121,18 +111,18 @@ def test_a_ball_that_slides_down_a_dome_leaves_it_at_two_thirds_of_its_height(fi
 def test_a_loop_is_run_through_by_a_ball_that_is_fast_enough(speed: float, round_it_goes: bool) -> None:
     rho = 1.8
     assert (speed * speed >= 5 * G * rho) == round_it_goes
-    world = world_of(Arc((0, 2), 2, -pi / 2, pi), Segment((-6, 0), (0, 0)))
+    world = falling_world(Arc((0, 2), 2, -pi / 2, pi), Segment((-6, 0), (0, 0)))
     ball = world.add(Ball((-1, 0.2), 0.2, velocity=(speed, 0), elasticity=0.5))
-    before = energy(world, ball)
+    before = energy(world)
     highest = 0.0
     left = (0.0, 0.0)
     while ball.position[0] > -1.79 and world.time < 3:
         assert len(world.step(1 / 600)) == 0
         highest = max(highest, ball.position[1])
         if not held(world) and ball.position[0] > 0 and ball.position[1] > 2:
-            left = (ball.position[1] - 2, energy(world, ball) - before)
+            left = (ball.position[1] - 2, energy(world) - before)
             break
-    assert energy(world, ball) == pytest.approx(before, rel=1e-9)
+    assert energy(world) == pytest.approx(before, rel=1e-9)
     if round_it_goes:
         assert highest == pytest.approx(2 + rho, abs=1e-4)
         assert left == (0.0, 0.0)
@@ -146,14 +136,14 @@ def test_a_loop_is_run_through_by_a_ball_that_is_fast_enough(speed: float, round
 @pytest.mark.parametrize("guarded", [False, True])
 def test_a_ball_rolls_off_the_end_of_a_floor(guarded: bool) -> None:
     floor = Segment((-5, 0), (0, 0))
-    world = world_of(floor, *(guard_points([floor]) if guarded else []))
+    world = falling_world(floor, *(guard_points([floor]) if guarded else []))
     ball = world.add(Ball((-2, 0.5), 0.5, velocity=(1, 0), elasticity=0.5))
-    before = energy(world, ball)
+    before = energy(world)
     world.run(1.9)
     assert ball.position == pytest.approx((-0.1, 0.5), abs=1e-9)
     assert ball.velocity == pytest.approx((1, 0), abs=1e-9)
     assert len(world.run(0.6)) == 0
-    assert energy(world, ball) == pytest.approx(before, rel=1e-9)
+    assert energy(world) == pytest.approx(before, rel=1e-9)
     if not guarded:
         assert ball.position == pytest.approx((0.5, 0.5 - 0.5 * G * 0.25), abs=1e-7)
     else:
@@ -164,7 +154,7 @@ def test_a_ball_rolls_off_the_end_of_a_floor(guarded: bool) -> None:
 @pytest.mark.parametrize("gravity", [(0.0, -G), (0.0, 0.0)])
 def test_a_thousand_tangent_pieces_are_one_way(gravity: tuple[float, float]) -> None:
     pieces: list[Shape] = [Segment((0.01 * k, 0), (0.01 * (k + 1), 0)) for k in range(1000)]
-    world = world_of(*pieces, gravity=gravity)
+    world = falling_world(*pieces, gravity=gravity)
     ball = world.add(Ball((0.005, 0.5), 0.5, velocity=(2, 0), elasticity=0.5))
     assert len(world.run(4.75)) == 0
     assert ball.position == pytest.approx((9.505, 0.5), abs=1e-9)
@@ -176,19 +166,19 @@ def test_a_thousand_tangent_pieces_are_one_way(gravity: tuple[float, float]) -> 
 @pytest.mark.parametrize("gravity", [(0.0, -G), (0.0, 0.0)])
 def test_a_bowl_of_a_hundred_arcs_is_one_bowl(gravity: tuple[float, float]) -> None:
     angles = [pi + pi * k / 100 for k in range(101)]
-    world = world_of(*[Arc((0, 0), 2, a, b) for a, b in pairwise(angles)], gravity=gravity)
+    world = falling_world(*[Arc((0, 0), 2, a, b) for a, b in pairwise(angles)], gravity=gravity)
     ball = world.add(Ball((1.7 * sin(-1), -1.7 * cos(1)), 0.3, elasticity=0.5))
     ball.velocity = (0.5 * cos(-1), 0.5 * sin(-1))
-    before = energy(world, ball)
+    before = energy(world)
     for _ in range(120 if gravity == (0.0, 0.0) else 600):
         assert len(world.step(1 / 60)) == 0
-        assert energy(world, ball) == pytest.approx(before, rel=1e-9)
+        assert energy(world) == pytest.approx(before, rel=1e-9)
         assert hypot(*ball.position) == pytest.approx(1.7, abs=3e-4)
 
 
 @pytest.mark.parametrize("elasticity", [0.2, 0.9])
 def test_bounces_without_a_rest_speed_come_to_an_end(elasticity: float) -> None:
-    world = world_of(Segment((-5, 0), (5, 0)), rest_speed=0)
+    world = falling_world(Segment((-5, 0), (5, 0)), rest_speed=0)
     ball = world.add(Ball((0, 2), 0.5, elasticity=elasticity))
     # 2·√(2h/g)·e/(1 - e) after the first fall.
     fall = sqrt(2 * 1.5 / G)
@@ -202,7 +192,7 @@ def test_bounces_without_a_rest_speed_come_to_an_end(elasticity: float) -> None:
 
 @pytest.mark.parametrize("elasticity", [1.0, 1.5])
 def test_an_elastic_ball_that_was_put_onto_a_floor_stays_there(elasticity: float) -> None:
-    world = world_of(Segment((-5, 0), (5, 0)))
+    world = falling_world(Segment((-5, 0), (5, 0)))
     ball = world.add(Ball((0, 0.5), 0.5, elasticity=elasticity))
     world.run(5)
     assert ball.position == pytest.approx((0, 0.5), abs=1e-9)
@@ -212,7 +202,7 @@ def test_an_elastic_ball_that_was_put_onto_a_floor_stays_there(elasticity: float
 
 @pytest.mark.compiled
 def test_what_lasts_is_in_a_snapshot() -> None:
-    world = world_of(Circle((0, 0), 2), Segment((3, 0), (9, 0)))
+    world = falling_world(Circle((0, 0), 2), Segment((3, 0), (9, 0)))
     world.add(Ball((1.7 * sin(1), -1.7 * cos(1)), 0.3, elasticity=0.5))
     world.add(Ball((4, 0.5), 0.5, velocity=(1, 0), elasticity=0.5))
     world.run(1)
@@ -227,7 +217,7 @@ def test_what_lasts_is_in_a_snapshot() -> None:
 
 @pytest.mark.parametrize("how", ["remove", "switch off"])
 def test_a_ball_falls_when_its_floor_goes(how: str) -> None:
-    world = world_of()
+    world = falling_world()
     floor = world.add(Segment((-5, 0), (5, 0)))
     ball = world.add(Ball((0, 0.5), 0.5, elasticity=0.5))
     world.run(1)
@@ -241,13 +231,6 @@ def test_a_ball_falls_when_its_floor_goes(how: str) -> None:
     assert ball.position == pytest.approx((0, 0.5 - 0.5 * G), abs=1e-9)
 
 
-def box(width: float, height: float) -> list[Shape]:
-    """A closed box that stands on y = 0."""
-    corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
-    walls = [Segment(a, b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
-    return [*walls, *guard_points(walls)]
-
-
 @pytest.mark.compiled
 @pytest.mark.parametrize(
     ("count", "elasticity"),
@@ -255,7 +238,7 @@ def box(width: float, height: float) -> list[Shape]:
 )
 def test_a_pile_of_balls_settles(count: int, elasticity: float) -> None:
     rng = np.random.default_rng(1)
-    world = world_of(*box(3.2, 12))
+    world = falling_world(*guarded(box(3.2, 12)))
     places = [(0.35 + k % 5 * 0.6 + rng.uniform(-0.04, 0.04), 0.5 + k // 5 * 0.6) for k in range(count)]
     world.add_balls(places, velocity=rng.uniform(-1, 1, (count, 2)), radius=0.25, elasticity=elasticity)
     world.run(10)
@@ -272,7 +255,7 @@ def test_a_pile_of_balls_settles(count: int, elasticity: float) -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9])
 def test_balls_on_top_of_each_other_stay(elasticity: float) -> None:
-    world = world_of(Segment((-5, 0), (5, 0)))
+    world = falling_world(Segment((-5, 0), (5, 0)))
     balls = [world.add(Ball((0, 0.5 + k), 0.5, elasticity=elasticity)) for k in range(4)]
     world.run(2)
     for k, ball in enumerate(balls):
@@ -288,7 +271,7 @@ def test_a_ball_that_slides_over_an_uneven_joint_goes_on(uneven: float, elastici
     end, normal = (3.0 * cos(slope), 3.0 * sin(slope)), (-sin(slope), cos(slope))
     turned = (normal[0] * cos(uneven) + normal[1] * sin(uneven), normal[1] * cos(uneven) - normal[0] * sin(uneven))
     drum = Circle((end[0] - 0.6 * turned[0], end[1] - 0.6 * turned[1]), 0.6, solid=True, elasticity=elasticity)
-    world = world_of(Segment((0, 0), end, elasticity=0.5), drum, gravity=(0, -35))
+    world = falling_world(Segment((0, 0), end, elasticity=0.5), drum, gravity=(0, -35))
     ball = world.add(Ball((0.6 * normal[0], 0.6 * normal[1]), 0.6, velocity=(8 * cos(slope), 8 * sin(slope))))
     hits = world.run(0.5, dt=1 / 480)
     assert len(hits) < 10

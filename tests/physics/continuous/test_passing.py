@@ -3,20 +3,12 @@
 import pytest
 
 from carom import Arc, Ball, Segment, World
-from carom.shapes.shape import Shape
-
-
-def world_of(*shapes: Shape) -> World:
-    """A continuous world that holds the shapes."""
-    world = World(detection="continuous")
-    for shape in shapes:
-        world.add(shape)
-    return world
+from tests.worlds import continuous_world
 
 
 @pytest.mark.parametrize("beside", [0.3, 0.249, 0.1, 1e-6])
 def test_a_bare_end_is_passed(beside: float) -> None:
-    world = world_of(Segment((0, 0), (0, 3)))
+    world = continuous_world(Segment((0, 0), (0, 3)))
     ball = world.add(Ball((-2, -beside), 0.25, velocity=(5, 0)))
     assert len(world.run(1)) == 0
     assert ball.position == pytest.approx((3, -beside))
@@ -24,7 +16,7 @@ def test_a_bare_end_is_passed(beside: float) -> None:
 
 @pytest.mark.parametrize("within", [0.0, 1e-4, 0.1])
 def test_what_is_beside_the_segment_bounces(within: float) -> None:
-    world = world_of(Segment((0, 0), (0, 3)))
+    world = continuous_world(Segment((0, 0), (0, 3)))
     ball = world.add(Ball((-2, within), 0.25, velocity=(5, 0)))
     assert len(world.run(1)) == 1
     assert ball.position == pytest.approx((-3.5, within))
@@ -33,18 +25,18 @@ def test_what_is_beside_the_segment_bounces(within: float) -> None:
 @pytest.mark.parametrize("speed", [0.5, 5.0, 500.0])
 @pytest.mark.parametrize("motion", ["static", "kinematic"])
 def test_a_ball_that_comes_in_past_an_end_goes_on_along_the_shape(speed: float, motion: str) -> None:
-    world = world_of(Segment((0, 0), (0, 3), motion=motion))
+    world = continuous_world(Segment((0, 0), (0, 3), motion=motion))
     ball = world.add(Ball((-0.1, -1), 0.25, velocity=(0, speed)))
     assert len(world.run(6 / speed, dt=0.3 / speed)) == 0
     assert ball.position == pytest.approx((-0.1, 5))
-    world = world_of(Arc((0, 0), 2, 0, 2, motion=motion))
+    world = continuous_world(Arc((0, 0), 2, 0, 2, motion=motion))
     ball = world.add(Ball((2.1, -1), 0.25, velocity=(0, speed)))
     assert len(world.run(6 / speed, dt=0.3 / speed)) == 0
     assert ball.position == pytest.approx((2.1, 5))
 
 
 def test_whichever_way_it_leaves_there_is_no_contact() -> None:
-    world = world_of(Segment((0, 0), (0, 3)))
+    world = continuous_world(Segment((0, 0), (0, 3)))
     ball = world.add(Ball((-0.1, -0.5), 0.25, velocity=(0, 2)))
     world.run(0.5)
     ball.velocity = (1, 0)
@@ -56,7 +48,7 @@ def test_whichever_way_it_leaves_there_is_no_contact() -> None:
 
 @pytest.mark.parametrize("deep", [0.01, 0.1, 0.24])
 def test_a_ball_that_was_put_onto_a_shape_is_pushed_out(deep: float) -> None:
-    world = world_of(Segment((0, -3), (0, 3)))
+    world = continuous_world(Segment((0, -3), (0, 3)))
     ball = world.add(Ball((-0.25 + deep, 0), 0.25, velocity=(1, 0)))
     assert len(world.step(0.1)) == 1
     assert ball.position == pytest.approx((-0.35, 0), abs=1e-9)
@@ -80,7 +72,7 @@ def test_a_ball_that_another_pushes_onto_a_wall_stays_before_it() -> None:
 def test_a_turning_bar_lets_what_comes_past_its_end_pass(spin: float) -> None:
     # The ball lies across the bar's end circle: the bar never has the ball's centre beside it.
     bar = Segment((0, 0), (2, 0), motion="kinematic", pivot=(0, 0), angular_velocity=spin)
-    world = world_of(bar)
+    world = continuous_world(bar)
     ball = world.add(Ball((0, 2.05), 0.25))
     assert len(world.run(20 / spin, dt=0.5 / spin)) == 0
     assert ball.position == (0, 2.05)

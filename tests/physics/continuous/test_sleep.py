@@ -1,19 +1,15 @@
 """Sleep and friction in the continuous mode."""
 
+from functools import partial
 from math import sqrt
-from typing import Any
 
 import pytest
 
 from carom import Ball, Segment, World
+from tests.worlds import continuous_world
 
-
-def world_of(*shapes: Any, **settings: Any) -> World:
-    """A continuous world in which slow balls fall asleep."""
-    world = World(**({"detection": "continuous", "sleep_speed": 0.1, "sleep_time": 0.3} | settings))
-    for shape in shapes:
-        world.add(shape)
-    return world
+#: Worlds in which slow balls fall asleep.
+sleepy_world = partial(continuous_world, sleep_speed=0.1, sleep_time=0.3)
 
 
 def asleep(world: World) -> int:
@@ -22,7 +18,7 @@ def asleep(world: World) -> int:
 
 
 def test_a_ball_that_rests_falls_asleep_and_stays() -> None:
-    world = world_of(Segment((-5, 0), (5, 0)), gravity=(0, -10))
+    world = sleepy_world(Segment((-5, 0), (5, 0)), gravity=(0, -10))
     ball = world.add(Ball((0, 2), 0.5, elasticity=0.4))
     world.run(5)
     assert asleep(world) == 1
@@ -36,7 +32,7 @@ def test_a_ball_that_rests_falls_asleep_and_stays() -> None:
 @pytest.mark.parametrize("spin", [1.0, 100.0])
 def test_a_flipper_wakes_what_sleeps_on_it_before_it_goes_through(spin: float) -> None:
     flipper = Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), turn_limits=(0, 0.5))
-    world = world_of(flipper, gravity=(0, -10))
+    world = sleepy_world(flipper, gravity=(0, -10))
     ball = world.add(Ball((2, 0.5), 0.5, elasticity=0.5))
     world.run(1)
     assert asleep(world) == 1
@@ -51,7 +47,7 @@ def test_a_flipper_wakes_what_sleeps_on_it_before_it_goes_through(spin: float) -
 @pytest.mark.parametrize("spin", [1.0, 100.0])
 def test_a_bar_meets_a_sleeping_ball_in_its_way(spin: float) -> None:
     bar = Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), turn_limits=(0, 2))
-    world = world_of(bar)
+    world = sleepy_world(bar)
     ball = world.add(Ball((0, 2), 0.25))
     world.run(1)
     assert asleep(world) == 1
@@ -61,7 +57,7 @@ def test_a_bar_meets_a_sleeping_ball_in_its_way(spin: float) -> None:
 
 
 def test_a_ball_wakes_another_that_it_hits() -> None:
-    world = world_of()
+    world = sleepy_world()
     still = world.add(Ball((0, 0), 0.5))
     world.run(1)
     assert asleep(world) == 1
@@ -74,7 +70,7 @@ def test_a_ball_wakes_another_that_it_hits() -> None:
 
 @pytest.mark.parametrize("substeps", [1, 4])
 def test_friction_stops_a_ball_where_it_has_used_up_its_speed(substeps: int) -> None:
-    world = world_of(friction=2.0, sleep_speed=0.0, substeps=substeps)
+    world = sleepy_world(friction=2.0, sleep_speed=0.0, substeps=substeps)
     ball = world.add(Ball((0, 0), 0.5, velocity=(4, 0)))
     world.run(1, dt=1 / 1000)
     assert ball.velocity == pytest.approx((2, 0))
@@ -84,7 +80,7 @@ def test_friction_stops_a_ball_where_it_has_used_up_its_speed(substeps: int) -> 
 
 
 def test_friction_slows_a_ball_that_rolls_on_a_floor() -> None:
-    world = world_of(Segment((-50, 0), (50, 0)), friction=1.0, gravity=(0, -10))
+    world = sleepy_world(Segment((-50, 0), (50, 0)), friction=1.0, gravity=(0, -10))
     ball = world.add(Ball((0, 0.5), 0.5, velocity=(3, 0), elasticity=0.5))
     assert len(world.run(5)) == 0
     assert ball.velocity == (0, 0)
@@ -95,7 +91,7 @@ def test_friction_slows_a_ball_that_rolls_on_a_floor() -> None:
 @pytest.mark.parametrize("others", [0, 10])
 @pytest.mark.parametrize("first", [True, False])
 def test_a_sleeping_ball_is_met_when_a_falling_one_touches_it(others: int, first: bool) -> None:
-    world = world_of(Segment((-50, 0), (50, 0), elasticity=0.0), gravity=(0, -10), substeps=1)
+    world = sleepy_world(Segment((-50, 0), (50, 0), elasticity=0.0), gravity=(0, -10), substeps=1)
     sleeper, faller = Ball((0, 1), 1.0, elasticity=0.5), Ball((0, 20), 1.0)
     for ball in (sleeper, faller) if first else (faller, sleeper):
         world.add(ball)
@@ -108,7 +104,7 @@ def test_a_sleeping_ball_is_met_when_a_falling_one_touches_it(others: int, first
 
 
 def test_a_sleeping_ball_that_is_hit_flies_on_in_the_same_step() -> None:
-    world = world_of(substeps=1)
+    world = sleepy_world(substeps=1)
     still = world.add(Ball((0, 0), 0.5))
     world.add(Ball((-21, 0), 0.5, velocity=(10, 0)))
     world.run(1)
@@ -118,7 +114,7 @@ def test_a_sleeping_ball_that_is_hit_flies_on_in_the_same_step() -> None:
 
 
 def test_a_sleeping_ball_that_is_pushed_softly_moves() -> None:
-    world = world_of(sleep_speed=0.01, rest_speed=1.0)
+    world = sleepy_world(sleep_speed=0.01, rest_speed=1.0)
     still = world.add(Ball((0, 0), 0.5))
     world.add(Ball((-1.1, 0), 0.5, velocity=(0.05, 0), elasticity=0.0))
     world.run(1)

@@ -1,27 +1,19 @@
 """Balls squeezed between moving and static shapes: the static one holds, the moving one goes over the ball."""
 
 from math import hypot
-from typing import Any
 
 import numpy as np
 import pytest
 
-from carom import Ball, Circle, Point, Segment, World
-
-
-def world_of(*shapes: Any, **settings: Any) -> World:
-    """A continuous world that holds the shapes."""
-    world = World(**({"detection": "continuous"} | settings))
-    for shape in shapes:
-        world.add(shape)
-    return world
+from carom import Ball, Circle, Point, Segment
+from tests.worlds import continuous_world
 
 
 @pytest.mark.parametrize("speed", [0.5, 10.0, 1000.0])
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 1.0])
 def test_a_press_goes_over_a_ball_before_a_wall(speed: float, elasticity: float) -> None:
     press = Segment((-3, 0), (3, 0), motion="kinematic", velocity=(0, speed))
-    world = world_of(Segment((-3, 3), (3, 3)), press)
+    world = continuous_world(Segment((-3, 3), (3, 3)), press)
     ball = world.add(Ball((0.2, 2), 0.5, elasticity=elasticity))
     for _ in range(100):
         world.step(0.06 / speed)
@@ -36,7 +28,7 @@ def test_a_press_goes_over_a_ball_before_a_wall(speed: float, elasticity: float)
 def test_a_flipper_presses_a_ball_onto_a_wall(spin: float, elasticity: float) -> None:
     flipper = Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), angular_velocity=spin, turn_limits=(0, 1.5))
     wall = Segment((0.5, 4), (5, 1))
-    world = world_of(wall, flipper, Circle((0, 0), 12), gravity=(0, -10))
+    world = continuous_world(wall, flipper, Circle((0, 0), 12), gravity=(0, -10))
     ball = world.add(Ball((2.5, 1.2), 0.4, elasticity=elasticity))
     for _ in range(300):
         world.step(0.01 / spin)
@@ -49,7 +41,7 @@ def test_a_flipper_presses_a_ball_onto_a_wall(spin: float, elasticity: float) ->
 
 
 def test_between_two_walls_a_ball_stays() -> None:
-    world = world_of(Segment((-3, 0), (3, 0)), Segment((-3, 0.9), (3, 0.9)), gravity=(0, -10))
+    world = continuous_world(Segment((-3, 0), (3, 0)), Segment((-3, 0.9), (3, 0.9)), gravity=(0, -10))
     ball = world.add(Ball((0, 0.45), 0.5, velocity=(0.1, 0), elasticity=0.5))
     world.run(2)
     assert np.isfinite(world.balls.position).all()
@@ -57,7 +49,7 @@ def test_between_two_walls_a_ball_stays() -> None:
 
 
 def test_a_pin_goes_over_a_ball_in_a_corner() -> None:
-    world = world_of(
+    world = continuous_world(
         Segment((-5, 0), (0, 0)), Segment((0, 0), (0, 5)), Point((-3, 0.5), motion="kinematic", velocity=(2, 0))
     )
     ball = world.add(Ball((-0.5, 0.5), 0.5, elasticity=0.5))

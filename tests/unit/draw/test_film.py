@@ -14,7 +14,7 @@ from carom.draw.film.film import FILM_HITS, SPAN
 from carom.draw.film.footage import Footage
 from carom.draw.film.movie import EncodingError, encoder, frames_of, reason, write_film
 from carom.draw.parts.looks import OFF
-from tests.sample_worlds import crowded
+from tests.worlds import crowded, recorded
 
 pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')
 pytest.importorskip("imageio_ffmpeg", reason='no imageio-ffmpeg: pip install "carom[draw]"')
@@ -23,14 +23,7 @@ pytest.importorskip("imageio_ffmpeg", reason='no imageio-ffmpeg: pip install "ca
 @pytest.fixture(scope="module")
 def recording() -> carom.Recording:
     """A second of a crowd, in which a ball leaves and a shape is switched off."""
-    world = crowded(20)
-    recorder = carom.Recorder(world, name="crowd")
-    for step in range(60):
-        recorder.note(world.step(1 / 60))
-        if step == 30:
-            world.remove(world.balls[0])
-            world.shapes[0].can_collide = False
-    return recorder.finish()
+    return recorded(crowded(20), 60, change=30, name="crowd")
 
 
 def test_a_frame_is_the_same_whatever_came_before(recording: carom.Recording) -> None:

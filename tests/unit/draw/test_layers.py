@@ -14,7 +14,7 @@ from carom.draw.parts.frame import Frame
 from carom.draw.parts.moment import LATEST, MOST_LATEST, strong
 from carom.draw.parts.names import overlap, placed
 from carom.shapes.aabb import Aabb
-from tests.sample_worlds import crowded
+from tests.worlds import crowded
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -12,18 +12,11 @@ from carom.draw.parts.frame import MARGIN, PANEL_WIDTH
 from carom.draw.parts.legend import seconds
 from carom.draw.parts.looks import BUMPER, GATE, GUARD, MOVING, OFF, POST, SENSOR, WALL, Look, look_of
 from carom.draw.picture import open_way
+from tests.worlds import world_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 PICTURES = Path(__file__).parents[3] / "docs" / "pictures"
 LAYERS = ["ground", "sensors", "shapes", "panel", "tracks", "hits", "balls", "facts"]
-
-
-def world_of(*members: object) -> carom.World:
-    """A world of some shapes and balls."""
-    world = carom.World()
-    for member in members:
-        world.add(member)
-    return world
 
 
 def drawn(world: carom.World, trace: draw.Trace | None = None, **options: object) -> ElementTree.Element:

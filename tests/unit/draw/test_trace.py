@@ -7,16 +7,9 @@ import carom
 from carom.draw.history.trace import MOST_FOLLOWED, MOST_HITS, MOST_STEPS, MOST_WAITING, Trace, centers_at, followed
 from carom.rows.hit import HIT
 from carom.world.hits import HitKind
+from tests.worlds import world_of
 
 STEP = 1 / 64
-
-
-def world_of(*balls: carom.Ball, **settings: object) -> carom.World:
-    """A world of some balls."""
-    world = carom.World(**settings)
-    for ball in balls:
-        world.add(ball)
-    return world
 
 
 def traced(world: carom.World, steps: int) -> Trace:

@@ -16,20 +16,13 @@ import pytest
 
 import carom
 from carom.record import files
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet, recorded
 
 
 @pytest.fixture(scope="module")
 def recording() -> carom.Recording:
     """A recording of everything that a world can hold, a ball that leaves and a shape that is switched off among it."""
-    world = crowded(remove_strays=True)
-    recorder = carom.Recorder(world, name="crowd \ud800 </script>", about="all kinds")
-    for step in range(20):
-        recorder.note(world.step(1 / 60))
-        if step == 9:
-            world.remove(world.balls[2])
-            world.shapes[0].can_collide = False
-    return recorder.finish()
+    return recorded(crowded(remove_strays=True), 20, change=9, name="crowd \ud800 </script>", about="all kinds")
 
 
 def same(one: carom.Recording, other: carom.Recording) -> bool:

@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from carom.record.members import BALLS, hits_by_label, label_of, name_of
-from tests.sample_worlds import crowded, named, quiet
+from tests.worlds import crowded, named, quiet
 
 DT = 1 / 60
 

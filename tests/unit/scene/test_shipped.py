@@ -9,16 +9,10 @@ import pytest
 import carom
 from carom import scenes
 from carom.scene.shape_descriptors import CompoundDescriptor
+from tests.worlds import SMALL, small_scene
 
 NAMES = ("galton", "gas", "newtons_cradle", "pinball", "pool", "sinai", "stadium", "toy")
 NOT_COUNTS = (0, -1, 1.0, "5", None, True, 10**7)
-SMALL: dict[str, dict[str, int]] = {"galton": {"rows": 3, "balls": 20}, "gas": {"balls": 20}}
-
-
-def small(name: str) -> carom.Scene:
-    """A shipped scene, with few balls where their number can be chosen."""
-    made: carom.Scene = getattr(scenes, name)(**SMALL.get(name, {}))
-    return made
 
 
 def names_in(scene: carom.Scene) -> set[str | None]:
@@ -53,8 +47,8 @@ def test_arguments_are_counts(name: str, argument: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_scene_is_the_same_each_time(name: str) -> None:
-    assert small(name) == small(name)
-    assert small(name).build().digest() == small(name).build().digest()
+    assert small_scene(name) == small_scene(name)
+    assert small_scene(name).build().digest() == small_scene(name).build().digest()
 
 
 @pytest.mark.parametrize("name", sorted(SMALL))
@@ -65,7 +59,7 @@ def test_chance_comes_from_the_seed(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_overlaps_at_the_start(name: str) -> None:
-    world = small(name).build()
+    world = small_scene(name).build()
     for ball in world.balls:
         for shape in world.shapes:
             for part in shape.shapes if isinstance(shape, carom.Compound) else [shape]:
@@ -75,7 +69,7 @@ def test_nothing_overlaps_at_the_start(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_ball_is_within_the_bounds(name: str) -> None:
-    world = small(name).build()
+    world = small_scene(name).build()
     assert world.bounds is not None
     for ball in world.balls:
         assert ball.position in world.bounds
@@ -86,7 +80,7 @@ def test_every_ball_is_within_the_bounds(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["pool", "stadium"])
 def test_a_rim_of_tangent_joints_needs_no_points(name: str) -> None:
-    scene = small(name)
+    scene = small_scene(name)
     assert carom.guard_points([shape.build() for shape in scene.shapes]) == []
     assert len(scene.build().shapes) == len(scene.shapes)
 
@@ -116,7 +110,7 @@ def test_the_dome_and_the_toys_corner_go_over_into_their_walls() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bare_end_is_guarded(name: str) -> None:
-    shapes = list(small(name).build().shapes)
+    shapes = list(small_scene(name).build().shapes)
     solid = [part for shape in shapes for part in (shape.shapes if isinstance(shape, carom.Compound) else [shape])]
     solid = [part for part in solid if part.can_collide and not part.sensor]
     assert carom.guard_points(solid) == []

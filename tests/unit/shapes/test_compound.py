@@ -9,16 +9,12 @@ import pytest
 
 from carom import Arc, Ball, Circle, Compound, InvalidArgument, Motion, Point, Segment, Shape
 from carom.rows.pose import advance_pose
+from tests.worlds import row_bits
 
 
 def vane(**options: Any) -> Compound:
     """A compound of three kinds of parts."""
     return Compound([Segment((1, 0), (3, 0)), Circle((4, 0), 1), Arc((0, 2), 1, 0, 1)], pivot=(0, 0), **options)
-
-
-def bits(compound: Compound) -> list[bytes]:
-    """All that the parts of a compound know."""
-    return [part._row.tobytes() for part in (compound.center_point, *compound.shapes)]
 
 
 def test_parts_become_kinematic_about_its_pivot() -> None:
@@ -55,7 +51,7 @@ def test_it_turns_as_one() -> None:
     assert arc.start_angle == pytest.approx(pi / 2)
     assert [part.orientation for part in compound.shapes] == [compound.orientation] * 3 == [pi / 2] * 3
     compound.orientation = 0.0
-    assert bits(compound) == bits(vane())
+    assert row_bits(compound) == row_bits(vane())
 
 
 def test_reset_restores_all() -> None:
@@ -65,7 +61,7 @@ def test_reset_restores_all() -> None:
     assert compound.position == (0.3, 0.6)
     assert compound.shapes[1].position != (4.0, 0.0)
     compound.reset()
-    assert bits(compound) == bits(vane(velocity=(1, 2), angular_velocity=1))
+    assert row_bits(compound) == row_bits(vane(velocity=(1, 2), angular_velocity=1))
 
 
 @pytest.mark.parametrize(
@@ -153,7 +149,7 @@ def test_where_parts_are_is_left_to_the_compound(name: str, value: object) -> No
     compound = vane()
     with pytest.raises(InvalidArgument, match=f"{name} must be left to the compound"):
         setattr(compound.shapes[1], name, value)
-    assert bits(compound) == bits(vane())
+    assert row_bits(compound) == row_bits(vane())
 
 
 def test_a_part_does_not_turn_alone() -> None:
@@ -181,15 +177,15 @@ def test_an_angle_beyond_the_limits_is_refused_and_nothing_turns() -> None:
         compound.rotate((0, 0), 1.5)
     with pytest.raises(InvalidArgument, match="orientation must be within turn_limits"):
         compound.orientation = -0.1
-    assert bits(compound) == bits(vane(turn_limits=(0, 1)))
+    assert row_bits(compound) == row_bits(vane(turn_limits=(0, 1)))
 
 
 def test_what_fails_on_one_part_changes_none() -> None:
     compound = Compound([Point((0, 0)), Point((1.7e308, 0))], (0, 0))
-    before = bits(compound)
+    before = row_bits(compound)
     with pytest.raises(InvalidArgument, match="position must leave"):
         compound.position = (1.7e308, 0)
-    assert bits(compound) == before
+    assert row_bits(compound) == before
 
 
 def test_a_contact_is_with_the_part_and_points_come_first() -> None:
@@ -216,7 +212,7 @@ def test_copies_have_parts_of_their_own(copied: Any) -> None:
     compound = vane(name="vane", user=[1], elasticity=0.5)
     compound.rotate((0, 0), 1)
     twin = copied(compound)
-    assert bits(twin) == bits(compound)
+    assert row_bits(twin) == row_bits(compound)
     assert (twin.name, twin.user, twin.elasticity) == ("vane", [1], 0.5)
     assert all(part.compound is twin for part in twin.shapes)
     assert all(part.compound is compound for part in compound.shapes)

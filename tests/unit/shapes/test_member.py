@@ -16,6 +16,7 @@ from carom.rows.shape import KIND_NAMES, SHAPE
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.table import Table
 from carom.turns import Turn
+from tests.worlds import row_bits
 
 Member = Shape | Ball
 MEMBERS: list[Member] = [
@@ -40,20 +41,13 @@ class Home:
         self.changed.append(member)
 
 
-def bits(member: Member) -> bytes:
-    """All that a member knows, without its id."""
-    row = member._row.copy()
-    row["id"] = 0
-    return bytes(row.tobytes())
-
-
 @each_member
 def test_in_a_world_it_is_a_live_view_of_its_row(member: Member) -> None:
     twin, home = copy.copy(member), Home()
     table = Table(np.zeros(3, BALL if isinstance(twin, Ball) else SHAPE))
     table.rows[2]["id"] = 42
     twin._enter(home, table, 2)
-    assert (bits(twin), twin.id, twin.world) == (bits(member), 42, home)
+    assert (row_bits(twin), twin.id, twin.world) == (row_bits(member), 42, home)
     twin.elasticity = 0.125
     twin.position = (8, 9)
     assert table.rows[2]["elasticity"] == 0.125
@@ -88,7 +82,7 @@ def test_what_only_a_world_knows_stays_there() -> None:
     ball._leave()
     for lone in (ball, twin):
         assert not lone.asleep
-        assert bits(lone) == bits(Ball((0, 0), 1))
+        assert row_bits(lone) == row_bits(Ball((0, 0), 1))
 
 
 @each_member
@@ -97,7 +91,7 @@ def test_an_object_for_a_row_that_is_there_already(member: Member) -> None:
     kind = Ball if isinstance(member, Ball) else SHAPE_CLASSES[int(table.rows[0]["kind"])]
     assert type(member) is kind
     view = kind._of_row(home, table, 5, 0)
-    assert (bits(view), view.id, view.world, view.name, view.user) == (bits(member), 5, home, None, None)
+    assert (row_bits(view), view.id, view.world, view.name, view.user) == (row_bits(member), 5, home, None, None)
     assert getattr(view, "compound", None) is None
     view.elasticity = 0.0
     assert table.rows[0]["elasticity"] == 0.0
@@ -114,9 +108,9 @@ def test_copies_are_lone_and_their_own(member: Member, copied: Any) -> None:
     member.user = ["mine"]
     twin = copied(member)
     assert type(twin) is type(member)
-    assert (bits(twin), twin.name, twin.user) == (bits(member), member.name, member.user)
+    assert (row_bits(twin), twin.name, twin.user) == (row_bits(member), member.name, member.user)
     twin.position = (50, 60)
-    assert bits(twin) != bits(member)
+    assert row_bits(twin) != row_bits(member)
 
 
 def test_a_copy_of_what_is_in_a_world_is_lone() -> None:

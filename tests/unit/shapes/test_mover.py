@@ -5,6 +5,7 @@ from math import pi
 import pytest
 
 from carom import Arc, Circle, InvalidArgument, Motion, Point, Segment, Shape
+from tests.worlds import row_bits
 
 SHAPES: list[Shape] = [
     Point((1, 2), motion="kinematic"),
@@ -13,11 +14,6 @@ SHAPES: list[Shape] = [
     Arc((1, 2), 3, 1, 2, motion="kinematic"),
 ]
 each_shape = pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: shape.kind)
-
-
-def bits(shape: Shape) -> bytes:
-    """All that a shape knows."""
-    return bytes(shape._row.tobytes())
 
 
 def test_a_quarter_turn_of_each_kind() -> None:
@@ -38,10 +34,10 @@ def test_a_quarter_turn_of_each_kind() -> None:
 def test_a_million_small_turns_are_one_turn(shape: Shape) -> None:
     for k in range(1000):  # always from the initial geometry, so the number of turns does not matter
         shape.rotate((5, 5), k * 0.001)
-    many = bits(shape)
+    many = row_bits(shape)
     shape.reset()
     shape.rotate((5, 5), 0.999)
-    assert bits(shape) == many
+    assert row_bits(shape) == many
 
 
 @each_shape

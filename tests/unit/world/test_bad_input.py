@@ -13,7 +13,6 @@ import pytest
 
 import carom
 from carom.world.settings import SETTINGS, Setting
-from tests.sample_worlds import crowded, quiet
 from tests.unit.test_bad_input import (
     NO_FLAGS,
     NO_MASKS,
@@ -24,6 +23,7 @@ from tests.unit.test_bad_input import (
     parameters,
     set_attribute,
 )
+from tests.worlds import crowded, quiet
 
 INF, NAN = float("inf"), float("nan")
 

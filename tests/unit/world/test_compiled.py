@@ -15,7 +15,7 @@ import carom
 from carom.compiler import kernels as compiled
 from carom.world.kernels.broad_phase.grid import cell_of
 from tests import fresh
-from tests.sample_worlds import crowded
+from tests.worlds import crowded
 
 #: Compiles one small kernel and calls it.
 ONE_KERNEL = """
@@ -26,7 +26,7 @@ print(compiled.load(cell_of)(7.5, 0.5))
 
 #: Steps a crowded world.
 STEPS = """
-from tests.sample_worlds import crowded
+from tests.worlds import crowded
 world = crowded(balls=4)
 world.run(0.25)
 print(world.digest())

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import carom
 from carom import Ball, World
-from tests.sample_worlds import crowded
+from tests.worlds import crowded
 
 MODES = ("discrete", "continuous")
 frictions = st.one_of(st.floats(0.0, 5.0), st.sampled_from((0.0, 1e-3, 1e3)))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import carom
-from tests.sample_worlds import crowded, named, quiet
+from tests.worlds import crowded, named, quiet
 
 FIELDS = ("time", "kind", "ball", "shape", "point", "normal", "setback", "speed", "impulse")
 

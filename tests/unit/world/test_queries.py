@@ -11,15 +11,7 @@ import pytest
 import carom
 from carom import Aabb, Arc, Ball, Circle, Compound, Gate, Point, Segment, World
 from carom.world import CastHit, Neighbor
-
-
-def world_of(*members: Any, **settings: Any) -> World:
-    """A world with members in it."""
-    world = World(**settings)
-    for member in members:
-        world.add(member)
-    return world
-
+from tests.worlds import world_of
 
 # -- rays --------------------------------------------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@ import gc
 import pytest
 
 import carom
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet
 
 
 def test_the_object_keeps_its_last_values_and_knows_no_world() -> None:

@@ -3,6 +3,7 @@
 import pytest
 
 from carom import Arc, Ball, Circle, HitKind, Point, Segment, World
+from tests.worlds import world_of
 
 ENTER, EXIT = HitKind.ENTER, HitKind.EXIT
 
@@ -10,14 +11,6 @@ ENTER, EXIT = HitKind.ENTER, HitKind.EXIT
 def kinds(world: World, seconds: float) -> list[HitKind]:
     """The kinds of the hits of some steps of a tenth of a second."""
     return [hit.kind for hit in world.run(seconds, dt=0.1)]
-
-
-def world_with(sensor: object, ball: Ball) -> World:
-    """A world of two."""
-    world = World(substeps=2)
-    world.add(sensor)  # type: ignore[type-var]
-    world.add(ball)
-    return world
 
 
 @pytest.mark.parametrize(
@@ -32,7 +25,7 @@ def world_with(sensor: object, ball: Ball) -> World:
 )
 def test_a_ball_that_crosses_a_sensor_enters_and_leaves_once(sensor: object) -> None:
     ball = Ball((-5, 0.5), radius=1, velocity=(1, 0))
-    world = world_with(sensor, ball)
+    world = world_of(sensor, ball, substeps=2)
     hits = world.run(10, dt=0.1)
     assert [(hit.kind, hit.ball, hit.shape) for hit in hits] == [(ENTER, ball, sensor), (EXIT, ball, sensor)]
     assert ball.velocity == (1, 0)
@@ -44,14 +37,14 @@ def test_a_ball_that_crosses_a_sensor_enters_and_leaves_once(sensor: object) -> 
 
 
 def test_the_inside_of_a_ring_is_no_part_of_it() -> None:
-    world = world_with(Circle((0, 0), 4, sensor=True), Ball((-7, 0), radius=1, velocity=(1, 0)))
+    world = world_of(Circle((0, 0), 4, sensor=True), Ball((-7, 0), radius=1, velocity=(1, 0)), substeps=2)
     assert kinds(world, 20) == [ENTER, EXIT, ENTER, EXIT]
 
 
 def test_a_ball_that_is_a_sensor_reports_walls_and_balls_and_goes_through() -> None:
     probe = Ball((-5, 0), radius=1, velocity=(1, 0), sensor=True)
     wall = Segment((0, -3), (0, 3))
-    world = world_with(wall, probe)
+    world = world_of(wall, probe, substeps=2)
     other = world.add(Ball((5, 0), radius=1))
     hits = world.run(13, dt=0.1)
     assert [(hit.kind, hit.shape) for hit in hits] == [(ENTER, wall), (EXIT, wall), (ENTER, probe), (EXIT, probe)]
@@ -61,9 +54,8 @@ def test_a_ball_that_is_a_sensor_reports_walls_and_balls_and_goes_through() -> N
 
 
 def test_a_sensor_that_moves_over_balls_at_rest_meets_them() -> None:
-    world = world_with(
-        Circle((-5, 0), 1, solid=True, sensor=True, motion="kinematic", velocity=(1, 0)), Ball((0, 0), 1)
-    )
+    eye = Circle((-5, 0), 1, solid=True, sensor=True, motion="kinematic", velocity=(1, 0))
+    world = world_of(eye, Ball((0, 0), 1), substeps=2)
     world.sleep_speed = 0.1
     assert kinds(world, 10) == [ENTER, EXIT]
 
@@ -71,7 +63,7 @@ def test_a_sensor_that_moves_over_balls_at_rest_meets_them() -> None:
 def inside(sensor: object) -> tuple[World, Ball]:
     """A world in which a ball has entered a sensor, and rests there."""
     ball = Ball((0, 0.5), radius=1)
-    world = world_with(sensor, ball)
+    world = world_of(sensor, ball, substeps=2)
     assert kinds(world, 0.5) == [ENTER]
     return world, ball
 

@@ -9,7 +9,7 @@ import pytest
 
 import carom
 from tests import fresh
-from tests.sample_worlds import bits, crowded, named, quiet
+from tests.worlds import bits, crowded, named, quiet
 
 GO_ON = """
 import sys

@@ -4,7 +4,7 @@ import inspect
 
 import carom
 from carom.world.statistics import COUNTERS, Statistics
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet
 
 
 def test_every_counter_is_an_attribute_and_in_the_dictionary() -> None:

@@ -13,7 +13,7 @@ import pytest
 import carom
 from carom.world.settings import SETTINGS
 from tests.fresh import ROOT
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet
 
 BOX = carom.Aabb(-1, -1, 1, 1)
 
@@ -318,7 +318,7 @@ def test_threads_that_use_one_world_are_refused_or_served_and_nothing_is_broken(
 TOGETHER = """
 import threading
 import carom
-from tests.sample_worlds import crowded
+from tests.worlds import crowded
 
 
 def played(number):

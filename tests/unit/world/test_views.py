@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import carom
-from tests.sample_worlds import crowded, quiet
+from tests.worlds import crowded, quiet
 
 COLUMNS = {"position": "position", "velocity": "velocity", "radius": "radius", "mass": "mass"}
 

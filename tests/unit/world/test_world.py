@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import carom
-from tests.sample_worlds import crowded, named, quiet
+from tests.worlds import crowded, named, quiet
 
 
 def test_what_is_added_comes_back_and_is_in_the_world() -> None:

@@ -1,5 +1,10 @@
-"""Worlds for tests, small enough to be interpreted, with everything in them that a world can hold."""
+"""Worlds for tests, small enough to be interpreted, and what tests ask of any world, shape or ball.
 
+Two of them stand for all: `crowded` has everything in it that a world can hold, in `quiet` nothing has happened yet.
+"""
+
+from collections.abc import Sequence
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -8,6 +13,40 @@ import numpy as np
 import carom
 
 SIDE = 12.0
+
+Member = carom.Shape | carom.Compound | carom.Ball
+
+
+def world_of(*members: Member, **settings: Any) -> carom.World:
+    """A world that holds shapes, compounds and balls."""
+    world = carom.World(**settings)
+    world.add(*members)
+    return world
+
+
+#: A world of the continuous mode that holds them.
+continuous_world = partial(world_of, detection="continuous")
+
+
+#: Options of the shipped scenes whose number of balls can be chosen.
+SMALL: dict[str, dict[str, int]] = {"galton": {"rows": 3, "balls": 20}, "gas": {"balls": 20}}
+
+
+def small_scene(name: str) -> carom.Scene:
+    """A shipped scene, with few balls where their number can be chosen."""
+    scene: carom.Scene = getattr(carom.scenes, name)(**SMALL.get(name, {}))
+    return scene
+
+
+def guarded(shapes: Sequence[carom.Shape]) -> list[carom.Shape]:
+    """Shapes and the points that guard their ends."""
+    return [*shapes, *carom.guard_points(shapes)]
+
+
+def box(width: float, height: float) -> list[carom.Shape]:
+    """Four walls from (0, 0) to (width, height)."""
+    corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+    return [carom.Segment(corners[i - 1], corners[i]) for i in range(4)]
 
 
 def crowded(balls: int = 12, seed: int = 0, **settings: Any) -> carom.World:
@@ -49,8 +88,7 @@ def add_walls(world: carom.World) -> None:
     corners = [(0.0, 0.0), (SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE)]
     walls = [carom.Segment(start, end) for start, end in zip(corners, [*corners[1:], corners[0]], strict=True)]
     walls[2] = carom.Segment((SIDE, SIDE), (4.0, SIDE))
-    for shape in (*walls, *carom.guard_points(walls)):
-        world.add(shape)
+    world.add(*guarded(walls))
 
 
 def add_furniture(world: carom.World) -> None:
@@ -83,6 +121,17 @@ def quiet() -> carom.World:
     world.add(carom.Ball((-2.0, 2.0), radius=0.5, velocity=(0.0, -3.0), name="down"))
     world.add(carom.Ball((0.0, 2.0), radius=0.5, velocity=(0.0, 3.0), name="up"))
     return world
+
+
+def recorded(world: carom.World, steps: int, change: int, **options: str) -> carom.Recording:
+    """A recording of some steps, after one of which a ball leaves and a shape is switched off."""
+    recorder = carom.Recorder(world, **options)
+    for step in range(steps):
+        recorder.note(world.step(1 / 60))
+        if step == change:
+            world.remove(world.balls[2])
+            world.shapes[0].can_collide = False
+    return recorder.finish()
 
 
 def named(world: carom.World, name: str) -> Any:
@@ -121,6 +170,22 @@ def _put_back(world: carom.World, relations: Any) -> None:
     set_relations(world._room, relations)
 
 
-def bits(hits: Any) -> bytes:
-    """The bytes of hits."""
-    return np.asarray(hits).tobytes()
+def energy(world: carom.World) -> float:
+    """The energy of all balls: that of their motion, and where there is gravity that of their height."""
+    balls = world.balls
+    moving = 0.5 * balls.mass @ (balls.velocity**2).sum(axis=1)
+    return float(moving - balls.mass @ (balls.position @ np.array(world.gravity)))
+
+
+def bits(rows: Any) -> bytes:
+    """The bytes of hits or of other answers of a world."""
+    return np.asarray(rows).tobytes()
+
+
+def row_bits(member: Member) -> list[bytes]:
+    """All that a shape or ball knows, and a compound's parts, but for their ids."""
+    parts = (member.center_point, *member.shapes) if isinstance(member, carom.Compound) else (member,)
+    rows = [part._row.copy() for part in parts]
+    for row in rows:
+        row["id"] = 0
+    return [row.tobytes() for row in rows]
