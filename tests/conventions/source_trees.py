@@ -8,7 +8,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src"
 PACKAGE = SOURCE / "carom"
-COMPILER_DOOR = PACKAGE / "compiler" / "kernels.py"
+COMPILER_DOOR = PACKAGE / "compiler" / "door.py"
+KERNEL_LIST = PACKAGE / "compiler" / "kernels.py"
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
@@ -32,11 +33,11 @@ def python_files() -> list[Path]:
 
 def kernel_files() -> list[Path]:
     """The files whose functions are compiled: all that stand in a room of kernels."""
-    for node in tree(COMPILER_DOOR).body:
+    for node in tree(KERNEL_LIST).body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "KERNEL_ROOMS":
             rooms = [SOURCE.joinpath(*room.split(".")) for room in ast.literal_eval(node.value)]
             return sorted(path for room in rooms for path in room.rglob("*.py") if path.name != "__init__.py")
-    raise LookupError(f"no KERNEL_ROOMS in {COMPILER_DOOR}")
+    raise LookupError(f"no KERNEL_ROOMS in {KERNEL_LIST}")
 
 
 def functions(path: Path) -> Iterator[Function]:

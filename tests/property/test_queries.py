@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from carom import Aabb, Arc, Ball, Circle, Gate, Point, Segment, World
-from carom.compiler import kernels as compiled
+from carom.compiler import door
 from carom.world import search
 from tests import strategies
 from tests.worlds import world_of
@@ -258,6 +258,6 @@ def test_compiled_and_interpreted_answers_are_the_same_bits(monkeypatch: pytest.
     pytest.importorskip("numba")
     world = large_world(np.random.default_rng(2), 30)
     compiled_answers = answers_of(world)
-    monkeypatch.setattr(compiled, "load", lambda function: function)
+    monkeypatch.setattr(door, "load", lambda function: function)
     world._search = None
     assert answers_of(world) == compiled_answers

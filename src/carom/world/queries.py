@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom import checks
-from carom.compiler import kernels as compiled
+from carom.compiler import door
+from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS
 from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR, QUERY
@@ -348,7 +349,7 @@ class Queries:
         aims = Aims.of(self._world, np.zeros(len(queries), AIM))
         room = self._world._room
         total = bool(room.states[0]["total_restitution"])
-        compiled.load(aim_many)(
+        door.load(aim_many)(
             queries, casts, found, places, ways, room.shapes.used, room.balls.used, total, aims.view(np.ndarray)
         )
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
@@ -372,7 +373,7 @@ class Queries:
     def _shots(self, places: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
         """The casts of balls in directions, so long that they leave everything behind."""
         room = self._world._room
-        width = compiled.load(width_of_all)(room.shapes.used, room.balls.used)
+        width = door.load(width_of_all)(room.shapes.used, room.balls.used)
         balls = room.balls.used[places]
         queries = np.zeros(len(places), QUERY)
         queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
@@ -391,15 +392,15 @@ class Queries:
         """The world that is asked: this object."""
         return cast("World", self)
 
-    def _ask(self, kernel: compiled.Kernel, count: int, queries: Rows, *answers: Rows) -> int:
+    def _ask(self, kernel: Kernel, count: int, queries: Rows, *answers: Rows) -> int:
         """What a kernel says to some queries, which look around `count` times; it writes to `answers`."""
         room = self._world._room
         if self._search is None or not self._search.is_of(room):
             self._search = Search(room)
         grids, stamps = self._search.grids(count), self._search.stamps()
-        return int(compiled.load(kernel)(queries, room.shapes.used, room.balls.used, *grids, stamps, *answers))
+        return int(door.load(kernel)(queries, room.shapes.used, room.balls.used, *grids, stamps, *answers))
 
-    def _ask_for_all(self, kernel: compiled.Kernel, count: int, queries: Rows, rows: Rows) -> Rows:
+    def _ask_for_all(self, kernel: Kernel, count: int, queries: Rows, rows: Rows) -> Rows:
         """The rows that a kernel finds for queries; it is asked again where it needs more of them than in `rows`."""
         wanted = self._ask(kernel, count, queries, rows)
         if wanted > len(rows):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from carom.compiler import kernels as compiled
+from carom.compiler import door
 from carom.constants import SEARCH_CELLS_PER_ITEM, SEARCH_MARKS_PER_ITEM, SEARCH_SCANS
 from carom.rows.query import SEARCH_GRID
 from carom.rows.shape import STATIC
@@ -30,7 +30,7 @@ def grid_of(room: Room, items: Rows) -> Grid:
     grid = np.zeros(1, SEARCH_GRID)
     starts = np.zeros((3 * int(SEARCH_CELLS_PER_ITEM) + 2) * len(items) + 2, "i4")
     members = np.zeros((int(SEARCH_MARKS_PER_ITEM) + 1) * len(items), "i4")
-    compiled.load(build_search_grid)(grid, room.shapes.used, room.balls.used, items, starts, members)
+    door.load(build_search_grid)(grid, room.shapes.used, room.balls.used, items, starts, members)
     return grid, starts, members
 
 

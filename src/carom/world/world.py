@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 
 from carom import checks
-from carom.compiler import kernels as compiled
+from carom.compiler import door
 from carom.errors import InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.relation import NO_RELATION
@@ -202,7 +202,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         if self._arguments is None:
             self._room.prepare()
             self._arguments = self._room.arguments()
-        kernel = compiled.load(STEP_KERNELS[state["detection"]])
+        kernel = door.load(STEP_KERNELS[state["detection"]])
         if dt != self._dt:
             state["dt"] = self._dt = dt
         state["steps_left"] = steps

@@ -6,7 +6,7 @@ from typing import Any
 import pygame
 import pytest
 
-from carom.compiler import kernels as compiled
+from carom.compiler import door
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
@@ -193,8 +193,8 @@ def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pyte
 @pytest.mark.compiled
 def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: set[str] = set()
-    load = compiled.load
-    monkeypatch.setattr(compiled, "load", lambda name: asked.add(name) or load(name))  # type: ignore[func-returns-value]
+    load = door.load
+    monkeypatch.setattr(door, "load", lambda name: asked.add(name) or load(name))  # type: ignore[func-returns-value]
     app.warm_up()
     before = set(asked)
     assert len(before) >= 3

@@ -12,16 +12,16 @@ from typing import Any
 import pytest
 
 import carom
-from carom.compiler import kernels as compiled
+from carom.compiler import cache, door, kernels, teller
 from carom.world.kernels.broad_phase.grid import cell_of
 from tests import fresh
 from tests.worlds import crowded
 
 #: Compiles one small kernel and calls it.
 ONE_KERNEL = """
-from carom.compiler import kernels as compiled
+from carom.compiler import door
 from carom.world.kernels.broad_phase.grid import cell_of
-print(compiled.load(cell_of)(7.5, 0.5))
+print(door.load(cell_of)(7.5, 0.5))
 """
 
 #: Steps a crowded world.
@@ -86,7 +86,7 @@ def test_the_first_process_says_that_it_compiles_and_the_second_starts_at_once(t
     assert last.startswith("carom: compiled cell of in ")
     files = kept(tmp_path)
     assert len(files) == 2
-    assert all(file.startswith(compiled.source_hash()) for file in files)
+    assert all(file.startswith(cache.source_hash()) for file in files)
     assert one_kernel(tmp_path) == ("3\n", "")
     assert kept(tmp_path) == files
 
@@ -168,21 +168,21 @@ def test_the_cache_is_in_the_users_folder_unless_told_otherwise(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("CAROM_CACHE_DIR", str(tmp_path))
-    assert compiled.cache_folder() == tmp_path / compiled.source_hash()
+    assert cache.cache_folder() == tmp_path / cache.source_hash()
     monkeypatch.setenv("CAROM_CACHE_DIR", "")
     import platformdirs
 
-    assert compiled.cache_folder() == Path(platformdirs.user_cache_dir("carom")) / compiled.source_hash()
+    assert cache.cache_folder() == Path(platformdirs.user_cache_dir("carom")) / cache.source_hash()
 
 
 def test_the_hash_is_of_all_kernel_sources(monkeypatch: pytest.MonkeyPatch) -> None:
-    everything = compiled.source_hash()
-    assert compiled.source_hash() == everything
-    modules = compiled.kernel_modules()
+    everything = cache.source_hash()
+    assert cache.source_hash() == everything
+    modules = kernels.kernel_modules()
     for module in modules:
         rest = tuple(name for name in modules if name != module)
-        monkeypatch.setattr(compiled, "kernel_modules", lambda rest=rest: rest)
-        assert compiled.source_hash() != everything
+        monkeypatch.setattr(cache, "kernel_modules", lambda rest=rest: rest)
+        assert cache.source_hash() != everything
         monkeypatch.undo()
 
 
@@ -199,9 +199,9 @@ class Terminal(io.StringIO):
 def tell(stream: Any, monkeypatch: pytest.MonkeyPatch, functions: list[str], wait: float = 0.0) -> str:
     """What a teller writes to a stream while functions are compiled, each of which takes some seconds."""
     monkeypatch.setattr(sys, "stderr", stream)
-    with compiled._Teller("step_discrete") as teller:
+    with teller.Teller("step_discrete", 500) as telling:
         for function in functions:
-            teller.see(function)
+            telling.see(function)
             time.sleep(wait)
     return str(stream.getvalue())
 
@@ -217,7 +217,7 @@ def test_a_file_is_told_in_lines_and_a_terminal_how_far_it_is(monkeypatch: pytes
 
 
 def test_a_file_is_told_every_few_seconds_that_it_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "INTERVAL", 0.05)
+    monkeypatch.setattr(teller, "INTERVAL", 0.05)
     text = tell(io.StringIO(), monkeypatch, ["a", "b"], wait=0.6)
     assert all(character.isprintable() or character == "\n" for character in text)
     assert text.endswith(" s\n")
@@ -235,13 +235,13 @@ def test_a_file_is_told_every_few_seconds_that_it_goes_on(monkeypatch: pytest.Mo
 
 def interrupted() -> None:
     """Be interrupted while the first function is compiled."""
-    with compiled._Teller("step_discrete") as teller:
-        teller.see("a")
+    with teller.Teller("step_discrete", 500) as telling:
+        telling.see("a")
         raise KeyboardInterrupt
 
 
 def test_once_it_is_over_or_was_interrupted_nothing_more_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "INTERVAL", 0.01)
+    monkeypatch.setattr(teller, "INTERVAL", 0.01)
     for stream in (io.StringIO(), Terminal()):
         monkeypatch.setattr(sys, "stderr", stream)
         with pytest.raises(KeyboardInterrupt):
@@ -255,16 +255,16 @@ def test_once_it_is_over_or_was_interrupted_nothing_more_is_told(monkeypatch: py
 
 @pytest.mark.compiled
 def test_a_kernel_that_takes_long_says_so_in_the_meantime(tmp_path: Path) -> None:
-    code = "from carom.compiler import kernels as compiled; compiled.INTERVAL = 0.02\n" + ONE_KERNEL
+    code = "from carom.compiler import teller; teller.INTERVAL = 0.02\n" + ONE_KERNEL
     _, told = one_kernel(tmp_path, code)
     assert re.search(r"^carom: compiling cell of: \d+ of about \d+ functions, \d+ s$", told, re.MULTILINE)
 
 
 def test_a_program_without_a_console_is_told_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stderr", None)
-    with compiled._Teller("step_discrete") as teller:
-        teller.see("a")
-    assert teller._over.is_set()
+    with teller.Teller("step_discrete", 500) as telling:
+        telling.see("a")
+    assert telling._over.is_set()
 
 
 def test_nothing_is_told_where_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -272,8 +272,8 @@ def test_nothing_is_told_where_nothing_is_compiled(monkeypatch: pytest.MonkeyPat
 
 
 def test_every_kernel_is_loaded_once() -> None:
-    first = compiled.load(cell_of)
+    first = door.load(cell_of)
     first(1.0, 1.0)
-    assert compiled.load(cell_of) is compiled.load(cell_of)
-    assert compiled.load(cell_of)(7.5, 0.5) == 3
+    assert door.load(cell_of) is door.load(cell_of)
+    assert door.load(cell_of)(7.5, 0.5) == 3
     assert carom.World().step(0.0).dtype.names

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.compiler import kernels as compiled
+from carom.compiler import door, kernels
 from tests.worlds import bits, crowded, quiet
 
 INF = float("inf")
@@ -26,7 +26,7 @@ class Interrupt(KeyboardInterrupt):
 @pytest.fixture
 def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Kernels are interpreted, so that they can be interrupted."""
-    monkeypatch.setattr(compiled, "load", lambda kernel: kernel)
+    monkeypatch.setattr(door, "load", lambda kernel: kernel)
 
 
 @contextmanager
@@ -35,7 +35,7 @@ def interrupted_at(place: int) -> Iterator[list[int]]:
     calls = [0]
 
     def watch(frame: FrameType, event: str, argument: Any) -> None:
-        if event == "call" and frame.f_globals.get("__name__") in compiled.kernel_modules():
+        if event == "call" and frame.f_globals.get("__name__") in kernels.kernel_modules():
             calls[0] += 1
             if calls[0] == place:
                 sys.setprofile(None)

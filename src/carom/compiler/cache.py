@@ -1,0 +1,64 @@
+"""Compiled code, kept on disk below a folder that is named by a hash of all kernel sources, or forgotten at the end.
+
+Numba alone does not see that a callee in another file has changed. The folder is in the user's cache folder, or in
+`CAROM_CACHE_DIR`, and may be deleted at any time.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import os
+from pathlib import Path
+from typing import Any
+
+from carom.compiler.kernels import Kernel, kernel_modules
+
+#: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.
+SOURCES_BESIDES = ("carom.constants", "carom.compiler.cache", "carom.compiler.door")
+
+#: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.
+OPTIONS = {"nogil": True, "error_model": "numpy"}
+
+
+def source_hash() -> str:
+    """A hash of the text of all kernel sources."""
+    digest = hashlib.blake2b(digest_size=12)
+    for module_name in kernel_modules() + SOURCES_BESIDES:
+        spec = importlib.util.find_spec(module_name)
+        if spec is not None and spec.origin is not None:
+            digest.update(Path(spec.origin).read_bytes())
+    return digest.hexdigest()
+
+
+def cache_folder() -> Path:
+    """The folder of compiled code for these sources: below `CAROM_CACHE_DIR`, or below the user's cache folder."""
+    chosen = os.environ.get("CAROM_CACHE_DIR")
+    if chosen:
+        return Path(chosen) / source_hash()
+    import platformdirs
+
+    return Path(platformdirs.user_cache_dir("carom")) / source_hash()
+
+
+def cached(numba: Any, function: Kernel) -> Kernel:
+    """The function, to be compiled when it is called and kept in the cache folder, if that can be written to."""
+    folder = cache_folder()
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        kernel: Any = numba.njit(cache=True, **OPTIONS)(function)
+    except (OSError, RuntimeError):
+        return uncached(numba, function)
+    finally:
+        numba.config.CACHE_DIR = before
+    # Where the folder refuses, Numba turns to one beside the sources, where it would not see that a callee has changed.
+    kept_there = Path(kernel.stats.cache_path).is_relative_to(folder)
+    return kernel if kept_there else uncached(numba, function)
+
+
+def uncached(numba: Any, function: Kernel) -> Kernel:
+    """The function, to be compiled when it is called and forgotten when the process ends."""
+    kernel: Kernel = numba.njit(**OPTIONS)(function)
+    return kernel
