@@ -47,7 +47,7 @@ def asked(world: carom.World) -> str:
         digest.update(bits(world.circle_cast(places, size, targets, sensors=sensors)))
         digest.update(bits(world.nearest(places, sensors=sensors)))
         digest.update(bits(world.overlapping(np.hstack([places - size, places + size]), sensors=sensors)))
-        for contact in world.overlaps(sensors=sensors):
+        for contact in world.contacts(sensors=sensors):
             digest.update(repr((contact.point, contact.normal, contact.setback, contact.speed)).encode())
     return digest.hexdigest()
 

@@ -78,7 +78,7 @@ def things_of(world: Arena, draw: Any) -> list[Any]:
         world.remove(gone)
     (mill,) = [shape for shape in world.shapes if isinstance(shape, carom.Compound)]
     pool = [world, world, *world.balls[:4], gone, *world.shapes, mill.shapes[0], mill.center_point, hits, hits[:1]]
-    pool += [world.overlaps(), *world.overlaps()[:1], world.ray_cast([(0, 9), (50, 9)], (0, -9))]
+    pool += [world.contacts(), *world.contacts()[:1], world.ray_cast([(0, 9), (50, 9)], (0, -9))]
     pool += [world.nearest((0, 0)), world.nearest([(0, 0)]), world.balls, world.shapes, world.statistics, *hits[:1]]
     pool += [world.aim(world.boss, (1, 0)), world.aim([world.boss], (1, 0))]
     return pool

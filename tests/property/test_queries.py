@@ -194,7 +194,7 @@ def test_overlaps_are_the_contacts_that_detect_finds(parts: Any) -> None:
         if (contact := first.detect(ball)) is not None
     ]
     expected.sort(key=lambda contact: (contact.ball.id, contact.shape.id))
-    assert list(world.overlaps()) == expected
+    assert list(world.contacts()) == expected
 
 
 @given(members, queries)
@@ -247,7 +247,7 @@ def answers_of(world: World) -> list[bytes]:
             world.nearest(starts),
             world.nearest(few[0]),
             world.overlapping(boxes),
-            world.overlaps(),
+            world.contacts(),
             world.aim(world.balls[0], ends),
         )
     ]

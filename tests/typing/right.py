@@ -142,10 +142,10 @@ assert_type(world.nearest((0, 0)), carom.Neighbor | None)
 assert_type(world.nearest(many), Neighbors)
 assert_type(world.aim(ball, (1, 0)), carom.Aim | None)
 assert_type(world.aim(ball, many), Aims)
-assert_type(world.overlaps(), Contacts)
-if world.overlaps():
-    assert_type(world.overlaps()[0], carom.Contact)
-for found in world.overlaps():
+assert_type(world.contacts(), Contacts)
+if world.contacts():
+    assert_type(world.contacts()[0], carom.Contact)
+for found in world.contacts():
     assert_type(found.setback, float)
 casts = world.ray_cast((0, 0), many)
 assert_type(casts[0], carom.CastHit | None)

@@ -63,5 +63,5 @@ hits[:3].speed  # wrong
 name: str = hits[0].time  # wrong
 world.ray_cast((0, 0), (1, 1)).point  # wrong
 world.ray_cast((0, 0), np.zeros((3, 2))).point  # wrong
-world.overlaps()[0].shap  # wrong
+world.contacts()[0].shap  # wrong
 world.step()  # wrong

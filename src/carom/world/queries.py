@@ -6,6 +6,7 @@ answers; a pair where others are arrays stands for all of them. No question chan
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
@@ -282,7 +283,7 @@ class Queries:
 
     @spelled
     @alone
-    def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
+    def contacts(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
         """Every overlap there is now of a ball with a shape or another ball, as a `Contacts` of `Contact` objects.
 
         They are what `shape.detect(ball)` says for each pair: masks hold between the two, a gate counts where it would
@@ -293,7 +294,7 @@ class Queries:
         >>> world = carom.World()
         >>> floor = world.add(carom.Segment((0, 0), (10, 0)))
         >>> ball = world.add(carom.Ball((5, 0.25), radius=0.5))
-        >>> [(contact.shape is floor, contact.setback) for contact in world.overlaps()]
+        >>> [(contact.shape is floor, contact.setback) for contact in world.contacts()]
         [(True, 0.25)]
         """
         queries, _ = _queries(_masks(layer, collides_with, sensors), (0.0, 0.0))
@@ -301,6 +302,12 @@ class Queries:
         rows = np.zeros(count + 16, CONTACT)
         rows = self._ask_for_all(overlaps_of_balls, count, queries, rows)
         return Contacts.of(self._world, rows[np.lexsort((rows["shape"], rows["ball"]))])
+
+    @spelled
+    def overlaps(self, *, layer: int = ALL_LAYERS, collides_with: int = ALL_LAYERS, sensors: bool = False) -> Contacts:
+        """What `contacts` returns; its old name, which the next release will not have."""
+        warnings.warn("World.overlaps() is called World.contacts() now", DeprecationWarning, stacklevel=3)
+        return self.contacts(layer=layer, collides_with=collides_with, sensors=sensors)
 
     # -- a pool player's line ----------------------------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ def test_a_ball_is_launched_upwards_clear_of_all_walls() -> None:
     assert lane.feed([table], lane.widest, 20.0) == 1
     (ball,) = table.world.balls
     assert ball.velocity == (0.0, 20.0)
-    assert list(table.world.overlaps()) == []
+    assert list(table.world.contacts()) == []
 
 
 def test_a_ball_is_as_heavy_as_its_area_says() -> None:

@@ -165,7 +165,7 @@ def test_a_line_foretells_the_first_hit_of_the_continuous_mode() -> None:
             world.add(Ball((x, y), 0.1 + 0.02 * k, mass=1 + k, elasticity=0.9, **others))
         world.add(Circle((0, 0), 45))
         cue = world.balls[3]
-        if any(cue in (contact.ball, contact.shape) for contact in world.overlaps()):
+        if any(cue in (contact.ball, contact.shape) for contact in world.contacts()):
             continue
         shots += 1
         line = world.aim(cue, (3 * cos(angle), 3 * sin(angle)))

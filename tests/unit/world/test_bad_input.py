@@ -25,6 +25,8 @@ from tests.unit.test_bad_input import (
 )
 from tests.worlds import crowded, quiet
 
+pytestmark = pytest.mark.filterwarnings("ignore:World.overlaps:DeprecationWarning")  # the old name is walked too
+
 INF, NAN = float("inf"), float("nan")
 
 NO_COUNTS = [0, -1, 2**40, 1.0, 2.5, "1", None, True, NAN, [1]]
@@ -101,6 +103,7 @@ GOOD: dict[str, Callable[[carom.World], dict[str, Any]]] = {
     "circle_cast": lambda world: {"center": (0, 0), "radius": 0.5, "target": (1, 2)},
     "nearest": lambda world: {"point": (1, 2)},
     "overlapping": lambda world: {"aabb": carom.Aabb(0, 0, 1, 1)},
+    "contacts": lambda world: {},
     "overlaps": lambda world: {},
     "aim": lambda world: {"ball": world.balls[0], "direction": (1, 2)},
 }

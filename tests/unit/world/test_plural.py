@@ -78,13 +78,13 @@ def test_questions_may_be_asked_in_an_if() -> None:
     world = carom.World()
     ball = world.add(carom.Ball((0, 0.5), 1))
     boxes = np.array([(-1, -1, 1, 1), (5, 5, 6, 6)])
-    assert not world.overlaps()
+    assert not world.contacts()
     assert not world.overlapping(boxes[1:])
     assert world.overlapping(boxes)
     assert not world.step(0.1)
     world.add(carom.Segment((-5, 0), (5, 0)))
-    assert world.overlaps()
-    assert world.overlaps()[0].ball is ball
+    assert world.contacts()
+    assert world.contacts()[0].ball is ball
     ball.velocity = (0, -1)
     assert world.step(0.1)
     assert world.nearest([(0, 0)])

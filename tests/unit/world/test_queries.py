@@ -162,8 +162,8 @@ def test_sensors_are_seen_on_request_and_what_cannot_collide_never() -> None:
     assert world.overlapping(box) == [ball]
     assert world.overlapping(box, sensors=True) == [sensor, ball]
     ball.position, sensor.position = (5, 0), (4.5, 0)
-    assert len(world.overlaps()) == 0
-    assert [contact.shape for contact in world.overlaps(sensors=True)] == [sensor]
+    assert len(world.contacts()) == 0
+    assert [contact.shape for contact in world.contacts(sensors=True)] == [sensor]
     ball.sensor = True
     assert world.ray_cast((0, 0), (9, 0)) is None
 
@@ -259,7 +259,7 @@ def test_questions_change_nothing() -> None:
         asked.circle_cast((0, 0), 1, (3, 3))
         asked.nearest((1, 1))
         asked.overlapping(Aabb(0, 0, 5, 5))
-        asked.overlaps()
+        asked.contacts()
         asked.aim(asked.balls[0], (1, 1))
         assert asked.digest() == before
         assert asked.statistics.as_dict() == counts
@@ -277,7 +277,7 @@ def test_a_ball_that_is_nowhere_is_not_seen() -> None:
             assert hit.shape is world.balls[2]
         assert set(world.nearest(np.zeros((times, 2)))["shape"]) == {world.balls[2].id}
     assert world.overlapping(Aabb(-9, -9, 9, 9)) == [world.balls[2]]
-    assert len(world.overlaps()) == 0
+    assert len(world.contacts()) == 0
     assert world.aim(world.balls[2], (-1, 0)) is None
     with pytest.raises(ValueError, match="ball must be at a finite place"):
         world.aim(world.balls[0], (1, 0))
@@ -288,7 +288,7 @@ def test_an_empty_world_has_nothing_to_find() -> None:
     assert world.ray_cast((0, 0), (1, 1)) is None
     assert world.nearest((0, 0)) is None
     assert world.overlapping(Aabb(0, 0, 1, 1)) == []
-    assert list(world.overlaps()) == []
+    assert list(world.contacts()) == []
     assert list(world.nearest(np.zeros((2, 2)))) == [None, None]
     assert not world.ray_cast(np.zeros((100, 2)), (1, 1)).found.any()
 
@@ -373,21 +373,24 @@ def test_overlaps_are_what_detect_says_of_every_pair() -> None:
     second = world.add(Ball((2.5, 1.5), 1, velocity=(-1, -1)))
     lone = world.add(Ball((7, 20), 1))
     expected = [shape.detect(ball) for ball in (first, second, lone) for shape in (floor, bowl, gate, first, second)]
-    found = world.overlaps()
+    found = world.contacts()
     assert list(found) == [contact for contact in expected if contact and contact.shape.id < contact.ball.id]
     assert found["shape"].tolist() == [floor.id, bowl.id, gate.id, first.id]
     assert found["ball"].tolist() == [first.id] * 2 + [second.id] * 2
-    assert {contact.ball for contact in world.overlaps(layer=1)} == {first, second}
+    assert {contact.ball for contact in world.contacts(layer=1)} == {first, second}
+    with pytest.warns(DeprecationWarning, match=r"World\.overlaps\(\) is called World\.contacts\(\) now") as warned:
+        assert world.overlaps(layer=1).tobytes() == world.contacts(layer=1).tobytes()
+    assert warned[0].filename == __file__
     floor.layer, second.layer, first.collides_with = 2, 2, 1
-    assert [(contact.shape, contact.ball) for contact in world.overlaps()] == [(bowl, first), (gate, second)]
+    assert [(contact.shape, contact.ball) for contact in world.contacts()] == [(bowl, first), (gate, second)]
     second.collides_with = 0
-    assert [(contact.shape, contact.ball) for contact in world.overlaps()] == [(bowl, first)]
+    assert [(contact.shape, contact.ball) for contact in world.contacts()] == [(bowl, first)]
 
 
 def test_more_overlaps_than_balls_are_all_found() -> None:
     world = World()
     world.add_balls(np.zeros((60, 2)), radius=1.0)
-    contacts = world.overlaps()
+    contacts = world.contacts()
     assert len(contacts) == 60 * 59 // 2
     assert len(set(zip(contacts["shape"], contacts["ball"], strict=True))) == 60 * 59 // 2
     assert len(world.overlapping(np.array([(0, 0, 1, 1)] * 50))) == 50 * 60
@@ -470,7 +473,7 @@ def test_answers_outlive_what_they_name_and_lose_their_world_in_a_pickle() -> No
         (lambda world: world.overlapping([(1, 0, 0, 1)]), "aabb must have left <= right"),
         (lambda world: world.overlapping(5), "aabb must be"),
         (lambda world: world.overlapping([Aabb(0, 0, 1, 1), 3]), "aabb must be"),
-        (lambda world: world.overlaps(layer=2**32), "layer must be from 0"),
+        (lambda world: world.contacts(layer=2**32), "layer must be from 0"),
     ],
 )
 def test_bad_questions_are_refused_by_name(ask: Any, words: str) -> None:
