@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_of, f8, i4, i8
+from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8
 
 NO_CHILD = -1
 
@@ -53,3 +53,10 @@ class SlotRow(TypedDict):
 
 
 SLOT = dtype_of(SlotRow)
+
+
+#: What answers which shapes a ball may meet: the two indexes, their cells, and the rows of shapes in each cell.
+ShapeIndex = tuple[Table[IndexRow], Table[CellRow], Table[int]]
+
+#: Where the pairs of balls that may meet are looked for: the balls sorted by cell, where each cell begins, the pairs.
+PairTables = tuple[Table[SlotRow], Table[int], Pairs]

@@ -260,13 +260,15 @@ def rest(shape: ShapeRow) -> None:
         shape["time_left"] = 0.0
 
 
-def surface_velocity(shape: ShapeRow, spin: float, px: float, py: float) -> tuple[float, float]:
+def surface_velocity(shape: ShapeRow, spin: float, px: float, py: float, time: float) -> tuple[float, float]:
     """The velocity (x, y) of the shape's surface at (px, py): velocity + spin·perp(p - pivot); (0, 0) if static.
 
-    `spin` is the angular velocity to reckon with: the row's `spin` in a world, `acting_spin(shape)` outside one.
+    `spin` is the angular velocity to reckon with: the row's `spin` in a world, `acting_spin(shape)` outside one. So
+    many seconds from now the pivot has gone on by velocity·time.
     """
     if shape["motion"] == STATIC:
         return 0.0, 0.0
-    x = float(shape["velocity_x"]) - spin * (py - float(shape["pivot_y"]))
-    y = float(shape["velocity_y"]) + spin * (px - float(shape["pivot_x"]))
-    return x, y
+    ux, uy = float(shape["velocity_x"]), float(shape["velocity_y"])
+    dx = px - (float(shape["pivot_x"]) + ux * time)
+    dy = py - (float(shape["pivot_y"]) + uy * time)
+    return ux - spin * dy, uy + spin * dx

@@ -60,13 +60,13 @@ def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
     spin = acting_spin(row)
     # At the ball's centre: this serves only as a direction where centres coincide, and along the normal of a gate,
     # where it is the same at the centre as at the point of contact.
-    surface_x, surface_y = surface_velocity(row, spin, x, y)
+    surface_x, surface_y = surface_velocity(row, spin, x, y, 0.0)
     wx, wy = float(body["vx"]) - surface_x, float(body["vy"]) - surface_y
     found = detect_contact(row, x, y, radius, wx, wy)
     if found is None:
         return None
     px, py, nx, ny, setback = found
-    surface_x, surface_y = surface_velocity(row, spin, px, py)
+    surface_x, surface_y = surface_velocity(row, spin, px, py, 0.0)
     speed = length(float(body["vx"]) - surface_x, float(body["vy"]) - surface_y)
     return Contact(shape, ball, (px, py), (nx, ny), setback, speed)
 

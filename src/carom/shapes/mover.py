@@ -343,7 +343,7 @@ class Mover(Member):
         """The velocity of the shape's matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""
         x, y = pair("p", p)
         row = self._row
-        return surface_velocity(row, acting_spin(row), x, y)
+        return surface_velocity(row, acting_spin(row), x, y, 0.0)
 
     @property
     def compound(self) -> Compound | None:

@@ -6,7 +6,7 @@ from math import fabs, floor
 
 from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_PER_BALL
 from carom.rows.ball import BallRow
-from carom.rows.index import SlotRow
+from carom.rows.index import PairTables, SlotRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.pairs import may_touch, measure_balls, put_pair
@@ -63,9 +63,7 @@ def wrapped_size(count: int) -> tuple[int, int, int]:
     return size, int(GOLDEN_SECTION * size) | 1, size - 1
 
 
-def pairs_by_grid(
-    state: StateRow, balls: Table[BallRow], slots: Table[SlotRow], starts: Table[int], pairs: Pairs, margin: float
-) -> int:
+def pairs_by_grid(state: StateRow, balls: Table[BallRow], pair_tables: PairTables, margin: float) -> int:
     """The number of pairs found by sorting the balls into cells, or -1 if there is no room.
 
     Every ball's radius counts as greater by `margin`: 0, or the way it may go before the pairs are out of date.
@@ -74,6 +72,7 @@ def pairs_by_grid(
     cell or in one of the eight around it, four of which are enough. Partners of a coarser level are in one of the nine
     cells there. Cells are sorted by counting; `slots` then holds the balls in the order of their cells.
     """
+    slots, starts, _pairs = pair_tables
     left, bottom, right, top, smallest, largest = measure_balls(state, balls)
     side = 2.0 * (largest + margin) * CELL_SIDE
     layered = level_of(2.0 * (smallest + margin), side) > 0
@@ -86,17 +85,16 @@ def pairs_by_grid(
         return -1
     levels = sort_balls(state, balls, slots, starts, margin, left, bottom, side, layered, size, stride, mask)
     if layered:
-        return pairs_of_levels(state, slots, starts, pairs, left, bottom, side, stride, mask, levels)
-    return pairs_of_cells(state, slots, starts, pairs, size, stride, mask)
+        return pairs_of_levels(state, pair_tables, left, bottom, side, stride, mask, levels)
+    return pairs_of_cells(state, pair_tables, size, stride, mask)
 
 
-def pairs_of_cells(
-    state: StateRow, slots: Table[SlotRow], starts: Table[int], pairs: Pairs, size: int, stride: int, mask: int
-) -> int:
+def pairs_of_cells(state: StateRow, pair_tables: PairTables, size: int, stride: int, mask: int) -> int:
     """The number of pairs of sorted balls that are all on one level, or -1 if `pairs` ran out of room.
 
     Every candidate is written, and counted only if it is a pair: a branch that no processor can foresee costs more.
     """
+    slots, starts, pairs = pair_tables
     count = 0
     tests = 0
     room = len(pairs)
@@ -108,7 +106,7 @@ def pairs_of_cells(
         radius = slot["radius"]
         cell = int(slot["cell"])
         if cell + stride + 2 > size:
-            count = scan_around(state, slots, starts, pairs, count, k, 0.0, 0, stride, mask)
+            count = scan_around(state, pair_tables, count, k, 0.0, 0, stride, mask)
             if count < 0:
                 return -1
             continue
@@ -183,9 +181,7 @@ def sort_balls(
 
 def pairs_of_levels(
     state: StateRow,
-    slots: Table[SlotRow],
-    starts: Table[int],
-    pairs: Pairs,
+    pair_tables: PairTables,
     left: float,
     bottom: float,
     side: float,
@@ -194,11 +190,12 @@ def pairs_of_levels(
     levels: int,
 ) -> int:
     """The number of pairs of sorted balls on several levels, `levels` having a bit for each; -1: no room."""
+    slots, starts, pairs = pair_tables
     count = 0
     for k in range(state["balls"]):
         slot = slots[k]
         own = level_of(2.0 * float(slot["radius"]), side)
-        count = scan_around(state, slots, starts, pairs, count, k, side, own, stride, mask)
+        count = scan_around(state, pair_tables, count, k, side, own, stride, mask)
         for level in range(own):
             if (levels >> level) & 1 and count >= 0:
                 x, y = float(slot["x"]) - left, float(slot["y"]) - bottom
@@ -214,9 +211,7 @@ def pairs_of_levels(
 
 def scan_around(
     state: StateRow,
-    slots: Table[SlotRow],
-    starts: Table[int],
-    pairs: Pairs,
+    pair_tables: PairTables,
     count: int,
     k: int,
     side: float,
@@ -225,6 +220,7 @@ def scan_around(
     mask: int,
 ) -> int:
     """The number of pairs after the partners of slot `k`'s ball on its own level: in its cell and the next four."""
+    slots, starts, pairs = pair_tables
     cell = int(slots[k]["cell"])
     count = scan(state, slots, pairs, count, k, side, level, k + 1, int(starts[cell + 1]))
     for step in range(4):

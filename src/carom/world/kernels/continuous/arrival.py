@@ -7,7 +7,7 @@ from carom.geometry.impact import impact_ball
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
 from carom.rows.hit import ENTER, EXIT, HitRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.kinds_near import distance_to_shape
@@ -25,11 +25,12 @@ from carom.world.kernels.continuous.support import keep_energy
 from carom.world.kernels.continuous.surfaces import gap_to_shape, impact_in_motion, into_frame
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation, drop_relation, find_relation
+from carom.world.kernels.step.times import substep_length
 
 
 def time_of(state: StateRow, time: float) -> float:
     """The world's time at a time of the span."""
-    substep = float(state["dt"]) / float(state["substeps"])
+    substep = substep_length(state)
     within = float(state["substep"]) * substep + float(state["span_begin"]) + time
     return float(state["time"]) + min(within, float(state["dt"]))
 
@@ -52,9 +53,7 @@ def arrive(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     heads: Table[int],
     flights: Table[FlightRow],
     hits: Table[HitRow],
@@ -63,6 +62,7 @@ def arrive(
     time: float,
 ) -> None:
     """Move a ball to where it is at a time of the span, file it anew if need be, and bring its relations up to date."""
+    index, cells, members = shape_index
     ball, flight = balls[i], flights[i]
     began, from_x, from_y = float(flight["time"]), float(ball["x"]), float(ball["y"])
     fly_to(ball, flight, time)

@@ -10,10 +10,10 @@ from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, STALLED, FlightRow
 from carom.rows.hit import ENTER, HitRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import gap_at_rest, lets_pass
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
@@ -22,7 +22,7 @@ from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.arrival import time_of
 from carom.world.kernels.continuous.flight import fall_freely
 from carom.world.kernels.continuous.support import patience, slow_rebound, throw_off
-from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, velocity_of_surface
+from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame
 from carom.world.kernels.step.hits import record_hit, write_hit
 from carom.world.kernels.step.motion import rouse, wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart
@@ -37,9 +37,7 @@ def impact_with_shape(
     i: int,
     shapes: Table[ShapeRow],
     row: int,
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     hits: Table[HitRow],
     relations: Table[RelationRow],
     rest_speed: float,
@@ -48,6 +46,7 @@ def impact_with_shape(
 
     There must be room for a hit and a relation.
     """
+    index, cells, members = shape_index
     shape = shapes[row]
     time = float(flight["time"])
     if shape["sensor"] != 0 or ball["sensor"] != 0:
@@ -71,8 +70,8 @@ def impact_with_shape(
         return
     if gap < -SEPARATION_SLACK * radius and not is_moving(shape):
         # It was put there. What two sides push to and fro would go on so for ever, so it stays for now.
-        depth = pressed_depth(state, ball, shapes, index, cells, members, relations, row, nx, ny, -gap)
-        across = barrier(state, ball, shapes, index, cells, members, relations, row, -gap * nx, -gap * ny) == ACROSS
+        depth = pressed_depth(state, ball, shapes, shape_index, relations, row, nx, ny, -gap)
+        across = barrier(state, ball, shapes, shape_index, relations, row, -gap * nx, -gap * ny) == ACROSS
         if across or depth > SEPARATION_SLACK * radius:
             state["squeezed"] += 1
             flight["kind"] = STALLED
@@ -103,7 +102,7 @@ def bounce(
     time = float(flight["time"])
     radius, vx, vy = float(ball["radius"]), float(ball["vx"]), float(ball["vy"])
     px, py = float(ball["x"]) - radius * nx, float(ball["y"]) - radius * ny
-    ux, uy = velocity_of_surface(shape, time, px, py)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, time)
     s = dot(vx - ux, vy - uy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
@@ -130,9 +129,8 @@ def bounce(
             limit_speed(state, ball)
             setback, speed = max(-gap, 0.0), length(vx - ux, vy - uy)
             impulse = gain * float(ball["mass"])
-            record_hit(
-                state, hits[state["hits"]], time_of(state, time), ball, shape, px, py, nx, ny, setback, speed, impulse
-            )
+            touch = (px, py, nx, ny, setback)
+            record_hit(state, hits[state["hits"]], time_of(state, time), ball, shape, touch, speed, impulse)
     slowest = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
     u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
     if slowest > 0.0 and u <= slowest:
@@ -231,7 +229,8 @@ def impact_of_balls(
     limit_speed(state, second)
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
-    record_hit(state, hits[state["hits"]], time_of(state, now), second, first, px, py, nx, ny, setback, speed, gain)
+    touch = (px, py, nx, ny, setback)
+    record_hit(state, hits[state["hits"]], time_of(state, now), second, first, touch, speed, gain)
     return pushed
 
 
@@ -270,14 +269,13 @@ def keep_push_out(
     state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     from_x: float,
     from_y: float,
 ) -> None:
     """Take from a push, which moved a ball from (from_x, from_y), what is more than PUSH_MOST or goes into a shape."""
+    index, cells, members = shape_index
     radius = float(ball["radius"])
     dx, dy = float(ball["x"]) - from_x, float(ball["y"]) - from_y
     way = length(dx, dy)

@@ -8,7 +8,7 @@ from carom.constants import FEW_SHAPES, FLIGHT_SLICES, LOOK_TRAVEL
 from carom.geometry.vector import larger
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NO_PLACE, NOTHING, FlightRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.masks import may_collide
@@ -24,6 +24,7 @@ from carom.world.kernels.continuous.foresee_balls import foresee_balls, foresee_
 from carom.world.kernels.continuous.queue import put_event, row_of, take_event
 from carom.world.kernels.continuous.support import lean, slide_time
 from carom.world.kernels.continuous.surfaces import impact_in_motion, span_box
+from carom.world.kernels.step.times import substep_length
 
 #: No cell: what is looked for may be in several.
 UNSURE = -1
@@ -34,9 +35,7 @@ def foresee(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     heads: Table[int],
     flights: Table[FlightRow],
     queue: Table[int],
@@ -44,7 +43,7 @@ def foresee(
     i: int,
 ) -> None:
     """Find what comes next for ball `i` and put it into the queue, or take the ball out if nothing does."""
-    foresee_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
+    foresee_shapes(state, balls[i], flights[i], shapes, order, shape_index, relations)
     if flights[i]["kind"] == FLYING and state["bin_levels"] != 0:
         foresee_balls(state, balls, heads, flights, relations, i, True)
     queue_up(state, flights, queue, i)
@@ -55,9 +54,7 @@ def foresee_all(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     heads: Table[int],
     pairs: Pairs,
     relations: Table[RelationRow],
@@ -65,12 +62,12 @@ def foresee_all(
     queue: Table[int],
 ) -> None:
     """Foresee what comes first for every ball; each pair is looked at once."""
-    duration = float(state["dt"]) / float(state["substeps"])
+    duration = substep_length(state)
     for i in range(state["balls"]):
         if balls[i]["relation"] != NO_RELATION:
             lean(state, balls[i], flights[i], shapes, relations, duration, True)
     for i in range(state["balls"]):
-        foresee_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
+        foresee_shapes(state, balls[i], flights[i], shapes, order, shape_index, relations)
     if state["swept"] != 0:
         foresee_pairs(state, balls, pairs, flights, relations)
     elif state["bin_levels"] != 0:
@@ -95,12 +92,11 @@ def foresee_shapes(
     flight: FlightRow,
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
 ) -> None:
     """Foresee what comes first for a ball but for other balls: an impact with a shape, or a look around."""
+    index, cells, members = shape_index
     flight["event"] = NOTHING
     flight["event_time"] = state["span"]
     if flight["kind"] != FLYING:
@@ -115,7 +111,7 @@ def foresee_shapes(
         foresee_relations(state, ball, flight, shapes, relations, speed)
     cell = cell_around(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]), speed * remaining)
     if cell == UNSURE:
-        foresee_fixed(state, ball, flight, shapes, order, index, cells, members, relations, speed)
+        foresee_fixed(state, ball, flight, shapes, order, shape_index, relations, speed)
     else:
         begin, end = cell_span(cells, cell)
         if begin < end:
@@ -146,7 +142,7 @@ def foresee_relations(
     while place != NO_RELATION:
         relation = relations[place]
         if relation["kind"] == LASTING:
-            substep = float(state["dt"]) / float(state["substeps"])
+            substep = substep_length(state)
             delay, leaves = slide_time(ball, flight, shapes[relation["other"]], substep)
             consider(flight, delay, LEAVE if leaves else LOOK, row_of(relation["other"]))
         else:
@@ -160,9 +156,7 @@ def foresee_fixed(
     flight: FlightRow,
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     speed: float,
 ) -> None:
@@ -170,6 +164,7 @@ def foresee_fixed(
 
     Its speed is `speed` at most.
     """
+    index, cells, members = shape_index
     entry = index[FIXED]
     if entry["cells_begin"] == entry["cells_end"]:
         return

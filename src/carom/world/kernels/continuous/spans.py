@@ -5,11 +5,11 @@ from __future__ import annotations
 from carom.constants import FEW_BALLS, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
 from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
-from carom.rows.index import SlotRow
+from carom.rows.index import PairTables
 from carom.rows.pose import acting_spin, advance_pose, is_moving, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
-from carom.rows.tables import Pairs, Table
+from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.continuous.bins import may_meet
 from carom.world.kernels.continuous.flight import begin_flight, top_speed
@@ -78,11 +78,9 @@ def sweep_pairs(
     state: StateRow,
     balls: Table[BallRow],
     flights: Table[FlightRow],
-    slots: Table[SlotRow],
-    starts: Table[int],
-    pairs: Pairs,
+    pair_tables: PairTables,
 ) -> bool:
-    """True when `pairs` are all that may meet in the span, or the balls are too fast for that; False: no room."""
+    """True when the pairs are all that may meet in the span, or the balls are too fast for that; False: no room."""
     way = 0.0
     smallest = float(balls[0]["radius"])
     for i in range(state["balls"]):
@@ -90,7 +88,7 @@ def sweep_pairs(
         smallest = min(smallest, float(balls[i]["radius"]))
     if way > SWEEP_MOST * smallest:
         return True
-    count = pairs_by_grid(state, balls, slots, starts, pairs, way * SWEEP_ROUNDING)
+    count = pairs_by_grid(state, balls, pair_tables, way * SWEEP_ROUNDING)
     if count < 0:
         return False
     state["pairs"] = count

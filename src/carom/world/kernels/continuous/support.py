@@ -29,14 +29,15 @@ from carom.rows.flight import FLYING, FlightRow
 from carom.rows.kinds import bend_center
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import LASTING, NO_RELATION, RelationRow
 from carom.rows.shape import ARC, POINT, SEGMENT, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.continuous.flight import fall_freely
-from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, out_of_frame, velocity_of_surface
+from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.relations import drop_relation
+from carom.world.kernels.step.times import substep_length
 
 
 def holding_acceleration(
@@ -117,7 +118,7 @@ def slow_rebound(
     press = max(press, pressure(shape, float(flight["time"]), ball, nx, ny, float(flight["ax"]), float(flight["ay"])))
     if press <= 0.0:
         return 0.0
-    substep = float(state["dt"]) / float(state["substeps"])
+    substep = substep_length(state)
     if elasticity < 1.0:
         return lasting_speed(press, substep)
     often = 0.5 * press * substep / float(state["max_impacts"])
@@ -280,7 +281,7 @@ def holds(ball: BallRow, time: float, shape: ShapeRow, duration: float, changed:
         return False
     if not changed:
         return True
-    ux, uy = velocity_of_surface(shape, time, x - radius * nx, y - radius * ny)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x - radius * nx, y - radius * ny, time)
     return fabs(dot(vx - ux, vy - uy, nx, ny)) <= lasting_speed(press, duration)
 
 
@@ -327,7 +328,7 @@ def put_onto(ball: BallRow, time: float, shape: ShapeRow) -> tuple[float, float,
     gap, nx, ny = found
     x -= gap * nx
     y -= gap * ny
-    ux, uy = velocity_of_surface(shape, time, x - radius * nx, y - radius * ny)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x - radius * nx, y - radius * ny, time)
     into = dot(vx - ux, vy - uy, nx, ny)
     vx -= into * nx
     vy -= into * ny
@@ -403,11 +404,11 @@ def stop_in_wedge(
     if fabs(wedge) <= LIFT:
         return
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    ux, uy = velocity_of_surface(first, time, x - radius * n1x, y - radius * n1y)
+    ux, uy = surface_velocity(first, float(first["spin"]), x - radius * n1x, y - radius * n1y, time)
     u1 = dot(ux, uy, n1x, n1y)
     if dot(float(ball["vx"]), float(ball["vy"]), n1x, n1y) >= u1:
         return
-    ux, uy = velocity_of_surface(second, time, x - radius * n2x, y - radius * n2y)
+    ux, uy = surface_velocity(second, float(second["spin"]), x - radius * n2x, y - radius * n2y, time)
     u2 = dot(ux, uy, n2x, n2y)
     ball["vx"] = (u1 * n2y - u2 * n1y) / wedge
     ball["vy"] = (u2 * n1x - u1 * n2x) / wedge

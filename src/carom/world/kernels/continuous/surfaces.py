@@ -8,7 +8,7 @@ from carom.constants import END_SLOP
 from carom.geometry.vector import length, rotated
 from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.shape import ShapeRow
 
 
@@ -84,7 +84,7 @@ def gap_to_shape(
     slop = 2.0 * END_SLOP * radius
     if not is_moving(shape):
         return gap_at_rest(shape, x, y, radius, vx, vy, slop)
-    ux, uy = velocity_of_surface(shape, time, x, y)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y, time)
     turn = -float(shape["spin"]) * time
     c, s = cos(turn), sin(turn)
     fx, fy = into_frame(shape, time, x, y)
@@ -95,13 +95,3 @@ def gap_to_shape(
     gap, nx, ny = found
     nx, ny = rotated(nx, ny, c, -s)
     return gap, nx, ny
-
-
-def velocity_of_surface(shape: ShapeRow, time: float, x: float, y: float) -> tuple[float, float]:
-    """The velocity of a shape's surface at (x, y) at a time of the span."""
-    if not is_moving(shape):
-        return 0.0, 0.0
-    ux, uy, spin = float(shape["velocity_x"]), float(shape["velocity_y"]), float(shape["spin"])
-    dx = x - (float(shape["pivot_x"]) + ux * time)
-    dy = y - (float(shape["pivot_y"]) + uy * time)
-    return ux - spin * dy, uy + spin * dx

@@ -186,12 +186,12 @@ def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table
         return count
     vx, vy = float(ball["vx"]), float(ball["vy"])
     spin = acting_spin(shape)
-    ux, uy = surface_velocity(shape, spin, x, y)
+    ux, uy = surface_velocity(shape, spin, x, y, 0.0)
     overlap = detect_contact(shape, x, y, radius, vx - ux, vy - uy)
     if overlap is None:
         return count
     px, py, nx, ny, setback = overlap
-    ux, uy = surface_velocity(shape, spin, px, py)
+    ux, uy = surface_velocity(shape, spin, px, py, 0.0)
     speed = length(vx - ux, vy - uy)
     return write_contact(contacts, count, int(shape["id"]), int(ball["id"]), px, py, nx, ny, setback, speed)
 

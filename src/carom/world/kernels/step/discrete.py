@@ -6,10 +6,9 @@ Each stage can stop where room runs out, and go on from there when there is more
 from __future__ import annotations
 
 from carom.constants import NEW_CELLS
-from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
-from carom.rows.index import CellRow, IndexRow, SlotRow
+from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
 from carom.rows.pose import rest as let_rest
@@ -49,6 +48,7 @@ from carom.world.kernels.step.narrow import (
 )
 from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, shapes_are_sound
 from carom.world.kernels.step.seams import overlap_beside_walls
+from carom.world.kernels.step.times import substep_end, substep_length
 
 
 def step_discrete(
@@ -71,23 +71,25 @@ def step_discrete(
     `states` holds the world's state and the copy that a failed step is rolled back to. Called again after NEEDS_ROOM or
     NEEDS_PAIRS with more of what `state["wanted_*"]` names, the outcome is the same as if there had been room.
     """
+    pair_tables = (slots, starts, pairs)
+    shape_index = (index, cells, members)
     state = states[0]
     while state["steps_left"] > 0:
         stage = state["stage"]
         if stage == BEGIN:
             status = begin_step(states, balls, shapes, order, saved, relations)
         elif stage == MOVE:
-            status = begin_substep(states, balls, shapes, order, index, cells, members, saved, relations)
+            status = begin_substep(states, balls, shapes, order, shape_index, saved, relations)
         elif stage == SHAPES:
-            status = meet_all_shapes(state, balls, shapes, index, cells, members, saved, hits, relations)
+            status = meet_all_shapes(state, balls, shapes, shape_index, saved, hits, relations)
         elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
             enter_stage(state, FINISH)
             status = DONE
         elif stage == FIND_PAIRS:
-            status = find_pairs(state, balls, shapes, index, cells, members, slots, starts, pairs, saved)
+            status = find_pairs(state, balls, shapes, shape_index, pair_tables, saved)
         elif stage == PAIRS:
             status = meet_all_pairs(
-                state, balls, shapes, index, cells, members, pairs, saved, hits, relations
+                state, balls, shapes, shape_index, pairs, saved, hits, relations
             )  # fmt: skip
         elif stage == FINISH:
             status = finish(state, balls, shapes, order, hits, relations)
@@ -98,42 +100,12 @@ def step_discrete(
     return DONE
 
 
-def substep_length(state: StateRow) -> float:
-    """The length of a substep in seconds."""
-    return float(state["dt"]) / float(state["substeps"])
-
-
-def hit_time(state: StateRow) -> float:
-    """The time of hits between balls that overlap: the end of the substep, or its beginning in the continuous mode."""
-    if state["detection"] == DISCRETE:
-        return substep_end(state)
-    return float(state["time"]) + float(state["substep"]) * substep_length(state)
-
-
-def substep_end(state: StateRow) -> float:
-    """The world's time at the end of the substep."""
-    if state["substep"] + 1 == state["substeps"]:
-        return float(state["time"]) + float(state["dt"])
-    return float(state["time"]) + float(state["substep"] + 1) * substep_length(state)
-
-
-def rest_speed(state: StateRow) -> float:
-    """The speed of approach below which an inelastic contact comes to rest."""
-    speed = float(state["rest_speed"])
-    if speed >= 0.0:
-        return speed
-    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
-    return 2.0 * length(gx, gy) * substep_length(state)
-
-
 def begin_substep(
     states: Table[StateRow],
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     saved: Table[SavedRow],
     relations: Table[RelationRow],
 ) -> int:
@@ -149,7 +121,7 @@ def begin_substep(
         if not shapes_are_sound(state, shapes, order):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
-    if not rebuild_index(state, balls, shapes, order, index, cells, members):
+    if not rebuild_index(state, balls, shapes, order, shape_index):
         return NEEDS_PAIRS
     state["iteration"] = 0
     state["found"] = 0
@@ -162,11 +134,10 @@ def rebuild_index(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
 ) -> bool:
     """True when the index of the shapes is right again; False where it has no room."""
+    index, cells, members = shape_index
     if state["index_stale"] != 0:
         if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
             return False
@@ -190,9 +161,7 @@ def meet_all_shapes(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     saved: Table[SavedRow],
     hits: Table[HitRow],
     relations: Table[RelationRow],
@@ -201,6 +170,7 @@ def meet_all_shapes(
 
     After the last iteration come the shapes at rest alone, the static ones at the end.
     """
+    index, cells, members = shape_index
     first = state["iteration"] == 0 and state["detection"] == DISCRETE
     settling = state["iteration"] == state["iterations"]
     kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
@@ -216,7 +186,7 @@ def meet_all_shapes(
         if first:
             move_ball(ball, duration, gravity_x, gravity_y)
         saved[i]["touched"] &= kept
-        to_x, to_y = float(ball["x"]), float(ball["y"])
+        way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
         for turn in range(2):
             entry = index[1 - turn if settling else turn]
             cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
@@ -229,16 +199,14 @@ def meet_all_shapes(
                 shape = shapes[row]
                 if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
                     continue
-                contact = overlap_beside_walls(
-                    state, ball, shape, shapes, index, cells, members, relations, first, from_x, from_y, to_x, to_y
-                )
+                contact = overlap_beside_walls(state, ball, shape, shapes, shape_index, relations, first, way)
                 if contact is None:
                     continue
                 px, py, nx, ny, setback = contact
+                touch = (px, py, nx, ny, setback)
                 pushed = meet_shape(
-                    state, ball, i, shapes, row, index, cells, members, hits, relations, saved[i],
-                    hit_time(state), rest_speed(state), first, from_x, from_y, to_x, to_y, px, py, nx, ny, setback,
-                )  # fmt: skip
+                    state, ball, i, shapes, row, shape_index, hits, relations, saved[i], first, way, touch
+                )
                 if pushed and left > 0:
                     new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
                     if new_cell != cell:
@@ -279,22 +247,20 @@ def find_pairs(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
-    slots: Table[SlotRow],
-    starts: Table[int],
-    pairs: Pairs,
+    shape_index: ShapeIndex,
+    pair_tables: PairTables,
     saved: Table[SavedRow],
 ) -> int:
     """DONE when `pairs` holds the pairs of balls to be tested in this iteration; NEEDS_PAIRS if it has too few rows."""
+    _slots, _starts, pairs = pair_tables
+    index, cells, members = shape_index
     count = 0
     if state["balls"] > 1:
         tests = int(state["box_tests"])
         if state["broad_phase"] == BRUTE:
             count = pairs_by_brute_force(state, balls, pairs)
         elif state["broad_phase"] == GRID:
-            count = pairs_by_grid(state, balls, slots, starts, pairs, 0.0)
+            count = pairs_by_grid(state, balls, pair_tables, 0.0)
         else:
             root = int(index[MOVING]["cells_end"])
             free = int(index[MOVING]["members_end"])
@@ -328,9 +294,7 @@ def meet_all_pairs(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     pairs: Pairs,
     saved: Table[SavedRow],
     hits: Table[HitRow],
@@ -340,8 +304,6 @@ def meet_all_pairs(
 
     After the last iteration the shapes at rest come once more, if it met anything: they have the last word.
     """
-    time = hit_time(state)
-    rest = rest_speed(state)
     for k in range(state["cursor"], state["pairs"]):
         if lacks_room(state, len(hits), len(relations), k, 1):
             return NEEDS_ROOM
@@ -350,12 +312,12 @@ def meet_all_pairs(
         first, second = balls[i], balls[j]
         if balls_overlap(state, first, second):
             if first["sensor"] != 0 or second["sensor"] != 0:
-                meet_sensing_ball(state, first, i, second, j, hits, relations, time)
+                meet_sensing_ball(state, first, i, second, j, hits, relations)
             else:
                 x1, y1, x2, y2 = float(first["x"]), float(first["y"]), float(second["x"]), float(second["y"])
-                if meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]], time, rest):
-                    keep_side(state, first, saved[i], shapes, index, cells, members, relations, x1, y1)
-                    keep_side(state, second, saved[j], shapes, index, cells, members, relations, x2, y2)
+                if meet_ball(state, first, second, saved[i], saved[j], hits[state["hits"]]):
+                    keep_side(state, first, saved[i], shapes, shape_index, relations, x1, y1)
+                    keep_side(state, second, saved[j], shapes, shape_index, relations, x2, y2)
     state["iteration"] += 1
     enter_stage(state, SHAPES if state["found"] > 0 else FINISH)
     state["found"] = 0

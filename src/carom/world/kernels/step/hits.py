@@ -14,15 +14,15 @@ def record_hit(
     time: float,
     ball: BallRow,
     shape: Numbered,
-    px: float,
-    py: float,
-    nx: float,
-    ny: float,
-    setback: float,
+    touch: tuple[float, float, float, float, float],
     speed: float,
     impulse: float,
 ) -> None:
-    """Write a bounce into `hit`, the next free row, and count the collision."""
+    """Write a bounce into `hit`, the next free row, and count the collision.
+
+    `touch` is the point, the unit normal towards the ball and the setback.
+    """
+    px, py, nx, ny, setback = touch
     write_hit(state, hit, time, BOUNCE, int(ball["id"]), int(shape["id"]))
     hit["point_x"] = px
     hit["point_y"] = py

@@ -20,7 +20,7 @@ from carom.geometry.response import approach_at_contact, exchanged, reflected, r
 from carom.geometry.vector import dot, length, length_squared, rotated
 from carom.rows.ball import BallRow
 from carom.rows.hit import ENTER, HitRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import ShapeIndex
 from carom.rows.kinds import depth_on_entry, find_contact, gap_at_rest, has_ends, in_reach, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
@@ -33,8 +33,15 @@ from carom.world.kernels.step.hits import record_hit, write_hit
 from carom.world.kernels.step.motion import rouse, wake
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.kernels.step.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
+from carom.world.kernels.step.times import hit_time, rest_speed
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
+
+#: The way of a ball in its own move of a substep: from x, y, to x, y.
+Way = tuple[float, float, float, float]
+
+#: How a ball touches something: the point, the unit normal towards the ball, and the setback.
+Touch = tuple[float, float, float, float, float]
 
 
 def boxes_apart(ball: BallRow, shape: ShapeRow) -> bool:
@@ -53,9 +60,7 @@ def is_between_ends(shape: ShapeRow, x: float, y: float, radius: float) -> bool:
     return in_reach(shape, x, y) or gap_at_rest(shape, x, y, radius, 0.0, 0.0, END_SLOP * radius) is not None
 
 
-def contact_past_end(
-    shape: ShapeRow, x: float, y: float, radius: float, wx: float, wy: float
-) -> tuple[float, float, float, float, float] | None:
+def contact_past_end(shape: ShapeRow, x: float, y: float, radius: float, wx: float, wy: float) -> Touch | None:
     """What `find_contact` returns, or None, for a ball past an end of a segment or arc by no more than `END_SLOP`.
 
     So no ball gets between two that continue each other, where rounding or the least bend leaves a gap.
@@ -82,20 +87,18 @@ def seen_from(shape: ShapeRow, x: float, y: float) -> tuple[float, float]:
     return to_x + dx, to_y + dy
 
 
-def starts_passing(
-    shape: ShapeRow, ball: BallRow, setback: float, moved: bool, from_x: float, from_y: float, to_x: float, to_y: float
-) -> bool:
+def starts_passing(shape: ShapeRow, ball: BallRow, setback: float, moved: bool, way: Way) -> bool:
     """True if a ball that overlaps a shape passes it from now on.
 
-    `from` and `to` are the ball's place before and after its own move in this substep; `moved` is False in later
-    iterations, when only pushes move balls, and a ball that was pushed onto a shape does not pass it. Nor does one that
-    was clear of the shape before or when its centre came into the slab or sector: a ball that falls fast onto a joint
-    has done nothing else.
+    `moved` is False in later iterations, when only pushes move balls, and a ball that was pushed onto a shape does not
+    pass it. Nor does one that was clear of the shape before or when its centre came into the slab or sector: a ball
+    that falls fast onto a joint has done nothing else.
     """
     if not moved:
         return lets_pass(shape, float(ball["x"]), float(ball["y"]))
     if not has_ends(shape["kind"]):
         return False
+    from_x, from_y, to_x, to_y = way
     x, y = seen_from(shape, from_x, from_y)
     if lets_pass(shape, x, y):
         return True
@@ -106,14 +109,14 @@ def starts_passing(
     return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
 
 
-def overlap_with(state: StateRow, ball: BallRow, shape: ShapeRow) -> tuple[float, float, float, float, float] | None:
+def overlap_with(state: StateRow, ball: BallRow, shape: ShapeRow) -> Touch | None:
     """The overlap of a ball with a shape whose box it meets, as `find_contact` gives it, or None.
 
     A little past a segment's or arc's ends too: see `contact_past_end`.
     """
     state["full_tests"] += 1
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x, y, 0.0)
     wx, wy = float(ball["vx"]) - ux, float(ball["vy"]) - uy
     contact = find_contact(shape, x, y, radius, wx, wy)
     if contact is None:
@@ -132,44 +135,32 @@ def meet_shape(
     ball_row: int,
     shapes: Table[ShapeRow],
     shape_row: int,
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     hits: Table[HitRow],
     relations: Table[RelationRow],
     mark: SavedRow,
-    time: float,
-    rest_speed: float,
     moved: bool,
-    from_x: float,
-    from_y: float,
-    to_x: float,
-    to_y: float,
-    px: float,
-    py: float,
-    nx: float,
-    ny: float,
-    setback: float,
+    way: Way,
+    touch: Touch,
 ) -> bool:
     """True if a ball that overlaps a shape was moved out of it; responds. There must be room: a hit, a relation.
 
-    `mark` is the ball's row of `SAVED`; `time` that of the hit; the rest as in `starts_passing`. A ball that has no
-    room to be moved to stays, and a shape that moves goes over it.
+    `mark` is the ball's row of `SAVED`; the rest as in `starts_passing`. A ball that has no room to be moved to stays,
+    and a shape that moves goes over it.
     """
+    px, py, nx, ny, setback = touch
     shape = shapes[shape_row]
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
-            write_hit(state, hits[state["hits"]], time, ENTER, int(ball["id"]), int(shape["id"]))
+            write_hit(state, hits[state["hits"]], hit_time(state), ENTER, int(ball["id"]), int(shape["id"]))
         return False
     if find_relation(relations, ball, PASSING, shape_row):
         return False
-    if starts_passing(shape, ball, setback, moved, from_x, from_y, to_x, to_y):
+    if starts_passing(shape, ball, setback, moved, way):
         add_relation(state, relations, ball, ball_row, PASSING, shape_row)
         return False
-    share, pressed = room_for_push(
-        state, ball, shapes, shape_row, index, cells, members, relations, nx, ny, setback
-    )  # fmt: skip
+    share, pressed = room_for_push(state, ball, shapes, shape_row, shape_index, relations, nx, ny, setback)
     setback = share * setback
     if share == 0.0:
         count_squeezed(state, mark)
@@ -183,7 +174,7 @@ def meet_shape(
         mark["touched"] |= CROWDED
     mark["touched"] |= BOTH_DUE | MET
     state["found"] += 1
-    bounce_off_shape(state, ball, shape, hits, time, rest_speed, px, py, nx, ny, setback, pressed)
+    bounce_off_shape(state, ball, shape, hits[state["hits"]], (px, py, nx, ny, setback), pressed)
     limit_speed(state, ball)
     return share > 0.0
 
@@ -193,9 +184,7 @@ def room_for_push(
     ball: BallRow,
     shapes: Table[ShapeRow],
     shape_row: int,
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     nx: float,
     ny: float,
@@ -208,18 +197,18 @@ def room_for_push(
     """
     moving = is_moving(shapes[shape_row])
     share = 1.0
-    found = barrier(state, ball, shapes, index, cells, members, relations, shape_row, setback * nx, setback * ny)
+    found = barrier(state, ball, shapes, shape_index, relations, shape_row, setback * nx, setback * ny)
     while found == NEAR and not moving and share > LEAST_SHARE:
         share *= 0.5
         dx, dy = share * setback * nx, share * setback * ny
-        found = barrier(state, ball, shapes, index, cells, members, relations, shape_row, dx, dy)
+        found = barrier(state, ball, shapes, shape_index, relations, shape_row, dx, dy)
     if found != FREE:
         return 0.0, False
     last = state["iteration"] + 1 == state["iterations"]
     if not last and (not moving or state["iteration"] < PRESS_ITERATIONS):
         return share, False
     depth = pressed_depth(
-        state, ball, shapes, index, cells, members, relations, shape_row, nx, ny, setback
+        state, ball, shapes, shape_index, relations, shape_row, nx, ny, setback
     )  # fmt: skip
     return 0.0 if last and depth > PRESS_DEPTH * float(ball["radius"]) else share, moving and depth > 0.0
 
@@ -231,26 +220,14 @@ def count_squeezed(state: StateRow, mark: SavedRow) -> None:
         state["squeezed"] += 1
 
 
-def bounce_off_shape(
-    state: StateRow,
-    ball: BallRow,
-    shape: ShapeRow,
-    hits: Table[HitRow],
-    time: float,
-    rest_speed: float,
-    px: float,
-    py: float,
-    nx: float,
-    ny: float,
-    setback: float,
-    pressed: bool,
-) -> None:
-    """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit.
+def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRow, touch: Touch, pressed: bool) -> None:
+    """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit in the next free row.
 
     One that is `pressed` onto something has no room to bounce: it goes with the surface.
     """
+    px, py, nx, ny, setback = touch
     vx, vy = float(ball["vx"]), float(ball["vy"])
-    ux, uy = surface_velocity(shape, float(shape["spin"]), px, py)
+    ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, 0.0)
     wx, wy = vx - ux, vy - uy
     s = dot(wx, wy, nx, ny)
     if not approaches(s, length_squared(vx, vy) + length_squared(ux, uy)):
@@ -259,7 +236,7 @@ def bounce_off_shape(
     approach = approach_at_contact(s, g_n, setback)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
-    if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed):
+    if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed(state)):
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
         return
@@ -271,7 +248,7 @@ def bounce_off_shape(
     ball["vy"] = new_y
     wake(state, ball)
     impulse = gain * float(ball["mass"])
-    record_hit(state, hits[state["hits"]], time, ball, shape, px, py, nx, ny, setback, length(wx, wy), impulse)
+    record_hit(state, hit, hit_time(state), ball, shape, touch, length(wx, wy), impulse)
 
 
 def approaches(s: float, squares: float) -> bool:
@@ -317,12 +294,11 @@ def meet_sensing_ball(
     j: int,
     hits: Table[HitRow],
     relations: Table[RelationRow],
-    time: float,
 ) -> None:
     """Let overlapping balls, of which one is a sensor, be inside each other. There must be room for a relation."""
     if not find_relation(relations, second, INSIDE_BALL, i):
         add_relation(state, relations, second, j, INSIDE_BALL, i)
-        write_hit(state, hits[state["hits"]], time, ENTER, int(second["id"]), int(first["id"]))
+        write_hit(state, hits[state["hits"]], hit_time(state), ENTER, int(second["id"]), int(first["id"]))
 
 
 def meet_ball(
@@ -332,8 +308,6 @@ def meet_ball(
     mark: SavedRow,
     other_mark: SavedRow,
     hit: HitRow,
-    time: float,
-    rest_speed: float,
 ) -> bool:
     """True if two balls have been pushed apart and may have come to the side of a shape, which `keep_side` sees.
 
@@ -354,7 +328,7 @@ def meet_ball(
     mark["touched"] |= BOTH_DUE
     other_mark["touched"] |= BOTH_DUE
     state["found"] += 1
-    bounce_pair(state, first, second, hit, time, rest_speed, px, py, nx, ny, setback)
+    bounce_pair(state, first, second, hit, (px, py, nx, ny, setback))
     limit_speed(state, first)
     limit_speed(state, second)
     # What only rests on a sleeping ball does not wake it, but it is in the way of shapes now; `finish_substep` puts it
@@ -379,9 +353,7 @@ def keep_side(
     ball: BallRow,
     mark: SavedRow,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     from_x: float,
     from_y: float,
@@ -390,7 +362,7 @@ def keep_side(
     x, y = float(ball["x"]), float(ball["y"])
     ball["x"] = from_x
     ball["y"] = from_y
-    if barrier(state, ball, shapes, index, cells, members, relations, BY_BALL, x - from_x, y - from_y) != FREE:
+    if barrier(state, ball, shapes, shape_index, relations, BY_BALL, x - from_x, y - from_y) != FREE:
         count_squeezed(state, mark)
         return
     ball["x"] = x
@@ -421,15 +393,10 @@ def bounce_pair(
     first: BallRow,
     second: BallRow,
     hit: HitRow,
-    time: float,
-    rest_speed: float,
-    px: float,
-    py: float,
-    nx: float,
-    ny: float,
-    setback: float,
+    touch: Touch,
 ) -> None:
     """Exchange the normal speeds of two balls, if they approach, and record the hit."""
+    _px, _py, nx, ny, _setback = touch
     vx, vy = float(first["vx"]), float(first["vy"])
     wx, wy = float(second["vx"]), float(second["vy"])
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
@@ -437,7 +404,7 @@ def bounce_pair(
         return
     first_mass, second_mass = float(first["mass"]), float(second["mass"])
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
-    resting = elasticity < 1.0 and u1 - u2 < rest_speed
+    resting = elasticity < 1.0 and u1 - u2 < rest_speed(state)
     new1, new2 = exchanged(u1, u2, first_mass, second_mass, 0.0 if resting else elasticity)
     first["vx"] = vx + (new1 - u1) * nx
     first["vy"] = vy + (new1 - u1) * ny
@@ -449,4 +416,4 @@ def bounce_pair(
     wake(state, second)
     # Not from the change of either's speed: that of a far heavier ball is lost in the rounding of its speed.
     impulse = (1.0 + elasticity) * (first_mass / (first_mass + second_mass)) * second_mass * (u1 - u2)
-    record_hit(state, hit, time, second, first, px, py, nx, ny, setback, length(wx - vx, wy - vy), impulse)
+    record_hit(state, hit, hit_time(state), second, first, touch, length(wx - vx, wy - vy), impulse)

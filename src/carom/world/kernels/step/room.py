@@ -6,7 +6,7 @@ from carom.constants import END_SLOP, PUSH_MARGIN, SIDE_ROOM
 from carom.geometry.circle import circle_contains
 from carom.geometry.vector import dot, larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import ShapeIndex
 from carom.rows.kinds import find_contact, has_side, lets_pass
 from carom.rows.kinds_near import crosses_side
 from carom.rows.masks import may_collide
@@ -34,9 +34,7 @@ def barrier(
     state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     pusher: int,
     dx: float,
@@ -46,6 +44,7 @@ def barrier(
 
     `pusher` is the row of the shape that pushes, or BY_BALL. What stands still pushes a ball across what moves.
     """
+    index, cells, members = shape_index
     still = pusher != BY_BALL and not is_moving(shapes[pusher])
     found = FREE
     if length(dx, dy) * PUSH_MARGIN > float(ball["radius"]):
@@ -112,9 +111,7 @@ def pressed_depth(
     state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     pusher: int,
     nx: float,
@@ -122,6 +119,7 @@ def pressed_depth(
     setback: float,
 ) -> float:
     """How deep a push by `setback` along (nx, ny) presses a ball onto a shape at rest that opposes it; 0 for none."""
+    index, cells, members = shape_index
     x, y, radius = float(ball["x"]) + setback * nx, float(ball["y"]) + setback * ny, float(ball["radius"])
     deepest = 0.0
     for which in range(2):

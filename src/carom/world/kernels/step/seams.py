@@ -5,7 +5,7 @@ from __future__ import annotations
 from carom.constants import END_SLOP, SEAM_REACH, SEPARATION_SLACK
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import ShapeIndex
 from carom.rows.kinds import gap_at_rest, has_side
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
@@ -14,7 +14,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.broad_phase.shape_index import cell_span, locate
-from carom.world.kernels.step.narrow import overlap_with, starts_passing
+from carom.world.kernels.step.narrow import Touch, Way, overlap_with, starts_passing
 from carom.world.kernels.step.relations import find_relation
 
 
@@ -23,23 +23,16 @@ def overlap_beside_walls(
     ball: BallRow,
     shape: ShapeRow,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     moved: bool,
-    from_x: float,
-    from_y: float,
-    to_x: float,
-    to_y: float,
-) -> tuple[float, float, float, float, float] | None:
+    way: Way,
+) -> Touch | None:
     """The overlap of a ball with a shape whose box it meets, as `overlap_with` gives it, or None.
 
     None also with a point that yields to a wall. The rest is as in `starts_passing`.
     """
-    if not has_side(shape["kind"]) and yields_to_wall(
-        state, ball, shape, shapes, index, cells, members, relations, moved, from_x, from_y, to_x, to_y
-    ):
+    if not has_side(shape["kind"]) and yields_to_wall(state, ball, shape, shapes, shape_index, relations, moved, way):
         return None
     return overlap_with(state, ball, shape)
 
@@ -49,15 +42,10 @@ def yields_to_wall(
     ball: BallRow,
     point: Row,
     shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     moved: bool,
-    from_x: float,
-    from_y: float,
-    to_x: float,
-    to_y: float,
+    way: Way,
 ) -> bool:
     """True if a ball overlaps a point, but meets a wall that the point stands on or lies behind.
 
@@ -69,14 +57,13 @@ def yields_to_wall(
         return False
     if length(x - float(point["cx"]), y - float(point["cy"])) >= radius:
         return False
+    index, cells, members = shape_index
     for which in range(2):
         k, end = cell_span(cells, locate(state, index[which], cells, x, y))
         while k < end:
             row = int(members[k])
             k += 1
-            if has_side(shapes[row]["kind"]) and wall_takes_ball(
-                ball, point, shapes[row], row, relations, moved, from_x, from_y, to_x, to_y
-            ):
+            if has_side(shapes[row]["kind"]) and wall_takes_ball(ball, point, shapes[row], row, relations, moved, way):
                 state["full_tests"] += 1
                 return True
     return False
@@ -89,10 +76,7 @@ def wall_takes_ball(
     row: int,
     relations: Table[RelationRow],
     moved: bool,
-    from_x: float,
-    from_y: float,
-    to_x: float,
-    to_y: float,
+    way: Way,
 ) -> bool:
     """True if a ball beside a wall overlaps it and does not pass it, and a point is on the wall or behind it."""
     radius = float(ball["radius"])
@@ -109,4 +93,4 @@ def wall_takes_ball(
         return False
     if find_relation(relations, ball, PASSING, row):
         return False
-    return not starts_passing(wall, ball, 0.0 - gap, moved, from_x, from_y, to_x, to_y)
+    return not starts_passing(wall, ball, 0.0 - gap, moved, way)
