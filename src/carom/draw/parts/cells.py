@@ -66,7 +66,7 @@ def partition(scene: Scene, reach: float) -> Partition:
     room.prepare()
     state = room.states[0]
     while not build_index(
-        state, room.balls.rows, room.shapes.rows, room.order, room.index, FIXED, reach, room.cells, room.members
+        state, room.balls.rows, room.shapes.rows, room.order, room.index, FIXED, reach, 0.0, room.cells, room.members
     ):
         room.extend(NEEDS_PAIRS)
     entry = room.index[FIXED]

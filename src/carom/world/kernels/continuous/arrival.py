@@ -17,10 +17,11 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.bins import file_ball, leash, unfile_ball
 from carom.world.kernels.continuous.flight import fly_to, place_at
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.spans import many_kinematic
 from carom.world.kernels.continuous.support import keep_energy
 from carom.world.kernels.continuous.surfaces import gap_to_shape, impact_in_motion, into_frame
 from carom.world.kernels.step.hits import write_hit
@@ -76,12 +77,33 @@ def arrive(
         keep_energy(state, ball, flight, shapes, relations)
         end_relations(state, balls, shapes, flights, hits, relations, i, time - began)
     if time > began and flight["kind"] == FLYING:
-        cell = locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]))
+        cell = locate(index[FIXED], cells, float(ball["x"]), float(ball["y"]))
         begin, end = cell_span(cells, cell)
         if begin < end:
             note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
-        begin, end = int(state["fixed"]), int(state["shapes"])
-        note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
+        if many_kinematic(state):
+            begin, end = cell_span(cells, locate(index[MOVING], cells, float(ball["x"]), float(ball["y"])))
+            note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
+        else:
+            begin, end = int(state["fixed"]), int(state["shapes"])
+            note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
+
+
+def near_kinematic_ends(
+    state: StateRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    shape_index: ShapeIndex,
+    x: float,
+    y: float,
+    radius: float,
+) -> bool:
+    """True if a ball at (x, y) may be on a kinematic shape that has ends."""
+    if not many_kinematic(state):
+        return near_ends(shapes, order, int(state["fixed"]), int(state["shapes"]), x, y, radius)
+    index, cells, members = shape_index
+    begin, end = cell_span(cells, locate(index[MOVING], cells, x, y))
+    return near_ends(shapes, members, begin, end, x, y, radius)
 
 
 def near_ends(

@@ -29,8 +29,8 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Pairs, Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
-from carom.world.kernels.continuous.arrival import arrive, near_ends
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
+from carom.world.kernels.continuous.arrival import arrive, near_ends, near_kinematic_ends
 from carom.world.kernels.continuous.bins import open_bins
 from carom.world.kernels.continuous.encounter import count_impact, impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.kernels.continuous.flight import fly_to, forget_partner, new_flights, place_at
@@ -38,6 +38,7 @@ from carom.world.kernels.continuous.foresee import foresee, foresee_all
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.spans import (
     begin_flights,
+    many_kinematic,
     move_shapes_on,
     set_shapes_going,
     span_length,
@@ -135,7 +136,7 @@ def begin_substep(
     flights: Table[FlightRow],
 ) -> int:
     """DONE when the index of shapes is right and balls may be moved apart (once a step) or fly."""
-    if not rebuild_index(state, balls, shapes, order, shape_index):
+    if not rebuild_index(state, balls, shapes, order, shape_index, 0.0):
         return NEEDS_PAIRS
     new_flights(state, flights)
     state["span_begin"] = 0.0
@@ -158,11 +159,12 @@ def begin_span(
 ) -> int:
     """DONE when shapes and balls are set going for the span; NEEDS_PAIRS if there is too little room for cells."""
     _slots, starts, _pairs = pair_tables
-    if not rebuild_index(state, balls, shapes, order, shape_index):
-        return NEEDS_PAIRS
     state["span"] = span_length(state, shapes, order, substep_length(state) - float(state["span_begin"]))
     # Balls that a shape wakes on its way are to fly.
     set_shapes_going(state, balls, shapes, order)
+    span = float(state["span"]) if many_kinematic(state) else 0.0
+    if not rebuild_index(state, balls, shapes, order, shape_index, span):
+        return NEEDS_PAIRS
     if begin_flights(state, balls, flights):
         # Sorting the balls for the pairs and filing them use the same room, one after the other.
         tests = int(state["box_tests"])
@@ -189,7 +191,8 @@ def fly(
     """DONE when all events of the span are dealt with and every ball is where it ends; NEEDS_ROOM if hits ran out."""
     index, _cells, _members = shape_index
     rest = rest_speed(state)
-    most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 2
+    kinematic = index[MOVING]["longest"] if many_kinematic(state) else state["shapes"] - state["fixed"]
+    most = 2 * int(index[FIXED]["longest"] + kinematic) + 2
     while True:
         wanted = most + int(state["relations"])
         if len(hits) - state["hits"] < wanted or relations_room(state, relations) < most:
@@ -227,8 +230,6 @@ def end_flights(
     index, cells, members = shape_index
     span = float(state["span"])
     duration = substep_length(state)
-    fixed, count = int(state["fixed"]), int(state["shapes"])
-    kinematic = count > fixed
     for i in range(state["cursor"], state["balls"]):
         if len(hits) - state["hits"] < most + state["relations"] or relations_room(state, relations) < most:
             return
@@ -237,9 +238,10 @@ def end_flights(
         if ball["relation"] == NO_RELATION:
             x, y, _vx, _vy = place_at(ball, flight, span)
             radius = float(ball["radius"])
-            begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
-            near = near_ends(shapes, members, begin, end, x, y, radius)
-            if not near and not (kinematic and near_ends(shapes, order, fixed, count, x, y, radius)):
+            begin, end = cell_span(cells, locate(index[FIXED], cells, x, y))
+            if not near_ends(shapes, members, begin, end, x, y, radius) and not near_kinematic_ends(
+                state, shapes, order, shape_index, x, y, radius
+            ):
                 fly_to(ball, flight, span)
                 continue
         arrive(
@@ -277,8 +279,8 @@ def deal_with(
         x, y = float(ball["x"]), float(ball["y"])
         other_x, other_y = float(balls[partner]["x"]), float(balls[partner]["y"])
         if impact_of_balls(state, balls, flights, min(i, partner), max(i, partner), hits, relations, rest):
-            keep_push_out(state, ball, shapes, shape_index, relations, x, y)
-            keep_push_out(state, balls[partner], shapes, shape_index, relations, other_x, other_y)
+            keep_push_out(ball, shapes, shape_index, relations, x, y)
+            keep_push_out(balls[partner], shapes, shape_index, relations, other_x, other_y)
         count_impact(state, flight)
         count_impact(state, flights[partner])
         change_path(state, balls[partner], flights[partner], shapes, relations, duration)

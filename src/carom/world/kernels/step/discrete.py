@@ -121,7 +121,7 @@ def begin_substep(
         if not shapes_are_sound(state, shapes, order):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
-    if not rebuild_index(state, balls, shapes, order, shape_index):
+    if not rebuild_index(state, balls, shapes, order, shape_index, 0.0):
         return NEEDS_PAIRS
     state["iteration"] = 0
     state["found"] = 0
@@ -135,16 +135,17 @@ def rebuild_index(
     shapes: Table[ShapeRow],
     order: Table[int],
     shape_index: ShapeIndex,
+    span: float,
 ) -> bool:
-    """True when the index of the shapes is right again; False where it has no room."""
+    """True when the index of the shapes is right again, for `span` seconds of their motion; False: it has no room."""
     index, cells, members = shape_index
     if state["index_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), 0.0, cells, members):
             return False
         state["index_stale"] = 0
         state["moving_stale"] = 1
     if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), span, cells, members):
             return False
         state["moving_stale"] = 0
     return True
@@ -189,7 +190,7 @@ def meet_all_shapes(
         way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
         for turn in range(2):
             entry = index[1 - turn if settling else turn]
-            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+            cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
             k, end = cell_span(cells, cell)
             state["box_tests"] += end - k
             left = NEW_CELLS
@@ -208,7 +209,7 @@ def meet_all_shapes(
                     state, ball, i, shapes, row, shape_index, hits, relations, saved[i], first, way, touch
                 )
                 if pushed and left > 0:
-                    new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                    new_cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
                     if new_cell != cell:
                         left -= 1
                         cell = new_cell

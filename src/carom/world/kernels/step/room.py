@@ -55,7 +55,7 @@ def barrier(
         return found
     x, y = float(ball["x"]) + dx, float(ball["y"]) + dy
     for which in range(2):
-        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
+        begin, end = cell_span(cells, locate(index[which], cells, x, y))
         for k in range(begin, end):
             row = int(members[k])
             if row != pusher and found != ACROSS:
@@ -108,7 +108,6 @@ def holds_back(ball: BallRow, shape: ShapeRow, still: bool) -> bool:
 
 
 def pressed_depth(
-    state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
     shape_index: ShapeIndex,
@@ -123,7 +122,7 @@ def pressed_depth(
     x, y, radius = float(ball["x"]) + setback * nx, float(ball["y"]) + setback * ny, float(ball["radius"])
     deepest = 0.0
     for which in range(2):
-        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
+        begin, end = cell_span(cells, locate(index[which], cells, x, y))
         for k in range(begin, end):
             row = int(members[k])
             shape = shapes[row]

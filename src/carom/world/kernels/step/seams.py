@@ -59,7 +59,7 @@ def yields_to_wall(
         return False
     index, cells, members = shape_index
     for which in range(2):
-        k, end = cell_span(cells, locate(state, index[which], cells, x, y))
+        k, end = cell_span(cells, locate(index[which], cells, x, y))
         while k < end:
             row = int(members[k])
             k += 1
