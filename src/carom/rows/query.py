@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_of, f8, f8x2, i4, i8, u4
+from carom.rows.tables import Table, dtype_of, f8, f8x2, i4, i8, u4
 
 
 class QueryRow(TypedDict):
@@ -34,6 +34,9 @@ class SearchGridRow(TypedDict):
 
 
 SEARCH_GRID = dtype_of(SearchGridRow)
+
+#: A grid of items, shapes and balls: where it lies, where each cell's members begin, and the members.
+SearchGrid = tuple[SearchGridRow, Table[int], Table[int]]
 
 
 class CastRow(TypedDict):

@@ -18,6 +18,7 @@ def cell_of(offset: float, inverse_side: float) -> int:
     Far outside it is clamped; clamping keeps the order, so neighbours stay neighbours. NaN, which a step that overflows
     may come by before it is rolled back, counts as far below.
     """
+    # Multiplied, not divided: this is done for every ball in every search.
     cell = offset * inverse_side
     if not cell > -CELL_CLAMP:
         return floor(-CELL_CLAMP)
@@ -46,6 +47,7 @@ def grid_size(width: float, height: float, side: float, count: int) -> tuple[int
     In a larger box the numbers wrap around, so cells that lie far apart share one, which costs tests and changes
     nothing else: the nine cells around a ball always have nine numbers.
     """
+    # With columns and lines to spare around the balls' box the cells around a ball are never off the grid.
     columns = (width / side if width / side < CELL_CLAMP else CELL_CLAMP) + 3.0
     lines = (height / side if height / side < CELL_CLAMP else CELL_CLAMP) + 4.0
     most = 64.0 + GRID_CELLS_PER_BALL * count
@@ -74,6 +76,7 @@ def pairs_by_grid(state: StateRow, balls: Table[BallRow], pair_tables: PairTable
     """
     slots, starts, _pairs = pair_tables
     left, bottom, right, top, smallest, largest = measure_balls(state, balls)
+    # As wide as the largest ball: its partners of the same level are in the neighbouring cells.
     side = 2.0 * (largest + margin) * CELL_SIDE
     layered = level_of(2.0 * (smallest + margin), side) > 0
     if layered:
@@ -105,11 +108,13 @@ def pairs_of_cells(state: StateRow, pair_tables: PairTables, size: int, stride: 
         y = slot["y"]
         radius = slot["radius"]
         cell = int(slot["cell"])
+        # Near the end of the numbers the next line may wrap around; the slow way deals with that.
         if cell + stride + 2 > size:
             count = scan_around(state, pair_tables, count, k, 0.0, 0, stride, mask)
             if count < 0:
                 return -1
             continue
+        # Slots of a cell and of the one to its right lie side by side, and so do the three cells of the next line.
         begin = k + 1
         end = int(starts[cell + 2])
         for _ in range(2):
@@ -158,6 +163,7 @@ def sort_balls(
         level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
         levels |= 1 << level
         starts[cell_number(x, y, inverse_side_of(side, level), level, stride, mask)] += 1
+    # Running sums turn counts into the ends of the cells.
     total = 0
     for k in range(size + 1):
         total += starts[k]
@@ -196,6 +202,7 @@ def pairs_of_levels(
         slot = slots[k]
         own = level_of(2.0 * float(slot["radius"]), side)
         count = scan_around(state, pair_tables, count, k, side, own, stride, mask)
+        # Levels go from coarse to fine: each pair of different levels is found from its finer ball alone.
         for level in range(own):
             if (levels >> level) & 1 and count >= 0:
                 x, y = float(slot["x"]) - left, float(slot["y"]) - bottom

@@ -92,6 +92,7 @@ def pairs_by_quadtree(
                     second = balls[members[m]]
                     reach = first["radius"] + second["radius"]
                     if may_touch(second["x"] - first["x"], second["y"] - first["y"], reach):
+                        # This corner lies in one leaf only, so the pair counts once.
                         x = max(first["x"] - first["radius"], second["x"] - second["radius"])
                         y = max(first["y"] - first["radius"], second["y"] - second["radius"])
                         if locate_node(cells, root, x, y) == node:

@@ -59,6 +59,7 @@ def item_box(
 
 def meets_quarter(cell: CellRow, quarter: int, left: float, bottom: float, right: float, top: float) -> bool:
     """True if a box that meets a node meets one of its quarters too."""
+    # West of the middle is below it, east at or above, as `child_of` has it for points.
     across = right >= cell["x"] if quarter & 1 else left < cell["x"]
     along = top >= cell["y"] if quarter & 2 else bottom < cell["y"]
     return bool(across and along)
@@ -137,6 +138,7 @@ def build_tree(
                     return -1
                 held = cells[node]["end"] - cells[node]["begin"]
                 used = split(balls, shapes, of_balls, reach, cells, members, node, end, free, 0.5 * width, 0.5 * height)
+                # A node whose members are larger than its quarters is not worth splitting.
                 if used - free > copies * held:
                     cells[node]["child"] = NO_CHILD
                 elif used > len(members):

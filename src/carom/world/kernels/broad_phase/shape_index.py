@@ -54,6 +54,7 @@ def rest_of_cell(
     kind = shapes[row]["kind"]
     while begin < end:
         other = members[begin]
+        # Members stand in the order of kinds, and within a kind in that of their rows.
         if shapes[other]["kind"] > kind or (shapes[other]["kind"] == kind and other > row):
             break
         begin += 1
@@ -91,6 +92,7 @@ def build_index(
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, entry)
+    # From here on the fields say where cells and members are, for `locate`.
     side = cell_side(right - left, top - bottom, end - begin, reach)
     vast = side == inf
     entry["left"] = 0.0 if vast else left
@@ -170,6 +172,7 @@ def held_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
 
 def cell_side(width: float, height: float, count: int, reach: float) -> float:
     """The width of a grid's cells: about so many cells as suits the number of shapes, none smaller than a ball."""
+    # The root of the product, not the product: width times height may be more than a number can hold.
     most = min(INDEX_CELLS_PER_SHAPE * count, INDEX_CELLS_MOST)
     side = max(sqrt(width / most) * sqrt(height), max(width, height) / most, 2.0 * reach)
     return side if side > 0.0 else 1.0
@@ -227,6 +230,7 @@ def mark_cells(
     span = float(entry["span"])
     box_left, box_bottom, box_right, box_top = held_box(shape, span)
     travels = span > 0.0 and is_moving(shape)
+    # Half a cell's diagonal from its middle to its corner; rounding far from the origin must not lose a shape.
     near = (reach + side * sqrt(0.5)) * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
     first_column = max(int((box_left - reach - left) / side) - 1, 0)
     last_column = min(int((box_right + reach - left) / side) + 1, int(entry["columns"]) - 1)

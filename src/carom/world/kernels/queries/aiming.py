@@ -69,6 +69,7 @@ def leave_shape(ball: BallRow, shape: ShapeRow, vx: float, vy: float, total: boo
         new_x, new_y, _ = reflected_total(vx, vy, 0.0, 0.0, nx, ny, elasticity, s, kick)
     else:
         new_x, new_y, _ = reflected(vx, vy, 0.0, 0.0, nx, ny, elasticity, s, kick)
+    # A speed that is rounding has no direction worth telling.
     least = STILL_SHARE * length(vx, vy)
     aim["speed"] = write_direction(aim["direction"], new_x, new_y, least)
     aim["other_speed"] = write_direction(aim["other_direction"], 0.0, 0.0, least)

@@ -8,10 +8,10 @@ from carom.constants import RAY_SLOP
 from carom.geometry.ray import ray_disc
 from carom.rows.ball import BallRow
 from carom.rows.kinds_in_motion import ray_shape
-from carom.rows.query import CastRow, QueryRow, SearchGridRow
+from carom.rows.query import CastRow, QueryRow, SearchGrid, SearchGridRow
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Numbered, Table
-from carom.world.kernels.queries.search_grid import column_of, slack_at
+from carom.world.kernels.queries.search_grid import column_of, is_first_visit, slack_at
 
 
 def cast_many(
@@ -41,8 +41,8 @@ def cast_many(
         cast["point"][1] = query["to_y"]
         cast["normal"][0] = 0.0
         cast["normal"][1] = 0.0
-        cast_through(query, shapes, balls, still[0], still_starts, still_members, stamps, k, cast, found)
-        cast_through(query, shapes, balls, lively[0], lively_starts, lively_members, stamps, k, cast, found)
+        cast_through(query, shapes, balls, (still[0], still_starts, still_members), stamps, k, cast, found)
+        cast_through(query, shapes, balls, (lively[0], lively_starts, lively_members), stamps, k, cast, found)
         if cast["shape"] != 0:
             hits += 1
     return hits
@@ -52,9 +52,7 @@ def cast_through(
     query: QueryRow,
     shapes: Table[ShapeRow],
     balls: Table[BallRow],
-    grid: SearchGridRow,
-    starts: Table[int],
-    members: Table[int],
+    search_grid: SearchGrid,
     stamps: Table[int],
     k: int,
     cast: CastRow,
@@ -65,6 +63,7 @@ def cast_through(
     The grid is walked column by column in the direction of the way, or line by line where it goes up or down rather
     than across; in each, the cells that the way comes near enough to are looked through.
     """
+    grid, starts, members = search_grid
     x, y = float(query["x"]) - float(grid["left"]), float(query["y"]) - float(grid["bottom"])
     dx, dy = float(query["to_x"]) - float(query["x"]), float(query["to_y"]) - float(query["y"])
     side = float(grid["side"])
@@ -84,12 +83,14 @@ def cast_through(
     first, last = column_of(low, side, columns - 1), column_of(high, side, columns - 1)
     for turn in range(last - first + 1):
         column = last - turn if du < 0.0 else first + turn
+        # The part of the way on which it is in the column; straight up or down, that is all of it.
         begin, end = 0.0, 1.0
         if du != 0.0:
             begin = (column * side - reach - u) / du
             end = ((column + 1) * side + reach - u) / du
             if du < 0.0:
                 begin, end = end, begin
+        # What was hit already is nearer than anything in this column and the ones behind it.
         if begin > cast["fraction"]:
             return
         begin, end = max(begin, 0.0), min(end, float(cast["fraction"]))
@@ -99,9 +100,7 @@ def cast_through(
                 cell = column * step_u + line * step_v
                 for place in range(starts[cell], starts[cell + 1]):
                     item = int(members[place])
-                    mark = item if item >= 0 else len(shapes) - 1 - item
-                    if stamps[mark] != k + 1:
-                        stamps[mark] = k + 1
+                    if is_first_visit(stamps, shapes, item, k):
                         if item >= 0:
                             better = cast_at_shape(query, shapes[item], dx, dy, cast)
                         else:
@@ -139,6 +138,7 @@ def cast_at_shape(query: QueryRow, shape: ShapeRow, dx: float, dy: float, cast: 
 
 def write_touch(cast: CastRow, member_id: int, fraction: float, px: float, py: float, nx: float, ny: float) -> bool:
     """True if a touch comes before the one in `cast`, or at the same place with a smaller id, and is written there."""
+    # Ids decide ties, so the answer does not depend on the grid.
     later = fraction > cast["fraction"] or (fraction == cast["fraction"] and member_id > cast["shape"])
     if later and cast["shape"] != 0:
         return False

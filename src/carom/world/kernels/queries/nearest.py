@@ -9,11 +9,11 @@ from carom.geometry.circle import closest_on_disc
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.kinds_near import closest_on_shape
-from carom.rows.query import NeighborRow, QueryRow, SearchGridRow
+from carom.rows.query import NeighborRow, QueryRow, SearchGrid, SearchGridRow
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.queries.casting import is_seen
-from carom.world.kernels.queries.search_grid import column_of, item_box, slack_at
+from carom.world.kernels.queries.search_grid import column_of, is_first_visit, item_box, slack_at
 
 
 def nearest_many(
@@ -40,8 +40,8 @@ def nearest_many(
         neighbor["distance"] = inf
         neighbor["point"][0] = query["x"]
         neighbor["point"][1] = query["y"]
-        search_rings(query, shapes, balls, still[0], still_starts, still_members, stamps, k, neighbor)
-        search_rings(query, shapes, balls, lively[0], lively_starts, lively_members, stamps, k, neighbor)
+        search_rings(query, shapes, balls, (still[0], still_starts, still_members), stamps, k, neighbor)
+        search_rings(query, shapes, balls, (lively[0], lively_starts, lively_members), stamps, k, neighbor)
         if neighbor["shape"] != 0:
             seen += 1
     return seen
@@ -51,9 +51,7 @@ def search_rings(
     query: QueryRow,
     shapes: Table[ShapeRow],
     balls: Table[BallRow],
-    grid: SearchGridRow,
-    starts: Table[int],
-    members: Table[int],
+    search_grid: SearchGrid,
     stamps: Table[int],
     k: int,
     neighbor: NeighborRow,
@@ -62,22 +60,23 @@ def search_rings(
 
     Square rings of cells around the place's own, or the one nearest to it, until what lies outside is farther away.
     """
+    grid, starts, members = search_grid
     columns, lines, side = int(grid["columns"]), int(grid["lines"]), float(grid["side"])
     x, y = float(query["x"]) - float(grid["left"]), float(query["y"]) - float(grid["bottom"])
     own_column, own_line = column_of(x, side, columns - 1), column_of(y, side, lines - 1)
     slack = slack_at(grid, float(query["x"]), float(query["y"]))
     for ring in range(max(columns, lines)):
         for line in range(max(own_line - ring, 0), min(own_line + ring, lines - 1) + 1):
+            # Of the lines between the first and the last, a ring has its two ends alone.
             step = 1 if line == own_line - ring or line == own_line + ring else max(2 * ring, 1)
             for column in range(own_column - ring, own_column + ring + 1, step):
                 if 0 <= column < columns:
                     cell = line * columns + column
                     for place in range(starts[cell], starts[cell + 1]):
                         item = int(members[place])
-                        mark = item if item >= 0 else len(shapes) - 1 - item
-                        if stamps[mark] != k + 1:
-                            stamps[mark] = k + 1
+                        if is_first_visit(stamps, shapes, item, k):
                             compare_item(query, shapes, balls, item, neighbor)
+        # Of cells not looked at the nearest is outside of the square so far.
         if neighbor["distance"] < distance_outside(grid, x, y, own_column, own_line, ring) - slack:
             return
 

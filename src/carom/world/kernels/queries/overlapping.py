@@ -11,12 +11,12 @@ from carom.rows.kinds import detect_contact
 from carom.rows.kinds_near import box_meets_shape
 from carom.rows.masks import may_collide
 from carom.rows.pose import acting_spin, surface_velocity
-from carom.rows.query import ContactRow, InBoxRow, QueryRow, SearchGridRow
+from carom.rows.query import ContactRow, InBoxRow, QueryRow, SearchGrid, SearchGridRow
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.pairs import may_touch
 from carom.world.kernels.queries.casting import is_seen
-from carom.world.kernels.queries.search_grid import cells_around, is_box, item_box, slack_at
+from carom.world.kernels.queries.search_grid import cells_around, is_box, is_first_visit, item_box, slack_at
 
 
 def overlapping_many(
@@ -39,8 +39,8 @@ def overlapping_many(
     count = 0
     for k in range(len(queries)):
         query = queries[k]
-        count = search_box(query, shapes, balls, still[0], still_starts, still_members, stamps, k, inside, count)
-        count = search_box(query, shapes, balls, lively[0], lively_starts, lively_members, stamps, k, inside, count)
+        count = search_box(query, shapes, balls, (still[0], still_starts, still_members), stamps, k, inside, count)
+        count = search_box(query, shapes, balls, (lively[0], lively_starts, lively_members), stamps, k, inside, count)
     return count
 
 
@@ -48,15 +48,14 @@ def search_box(
     query: QueryRow,
     shapes: Table[ShapeRow],
     balls: Table[BallRow],
-    grid: SearchGridRow,
-    starts: Table[int],
-    members: Table[int],
+    search_grid: SearchGrid,
     stamps: Table[int],
     k: int,
     inside: Table[InBoxRow],
     count: int,
 ) -> int:
     """The count of items found so far after those of one grid that are in the box of query `k`."""
+    grid, starts, members = search_grid
     left, bottom, right, top = float(query["x"]), float(query["y"]), float(query["to_x"]), float(query["to_y"])
     slack = slack_at(grid, left, bottom) + slack_at(grid, right, top)
     first_column, last_column, first_line, last_line = cells_around(grid, left, bottom, right, top, slack)
@@ -65,10 +64,9 @@ def search_box(
             cell = line * int(grid["columns"]) + column
             for place in range(starts[cell], starts[cell + 1]):
                 item = int(members[place])
-                mark = item if item >= 0 else len(shapes) - 1 - item
-                if stamps[mark] != k + 1:
-                    stamps[mark] = k + 1
+                if is_first_visit(stamps, shapes, item, k):
                     member_id = id_in_box(query, shapes, balls, item, left, bottom, right, top)
+                    # Counted also where there is no room, so the caller knows how much to make.
                     if member_id != 0:
                         if count < len(inside):
                             inside[count]["box"] = k
@@ -122,9 +120,9 @@ def overlaps_of_balls(
     for i in range(len(balls)):
         left, bottom, right, top = item_box(shapes, balls, -1 - i)
         if is_seen(balls[i], query) and is_box(left, bottom, right, top):
-            count = touch_all(query, shapes, balls, still[0], still_starts, still_members, stamps, i, contacts, count)
+            count = touch_all(query, shapes, balls, (still[0], still_starts, still_members), stamps, i, contacts, count)
             count = touch_all(
-                query, shapes, balls, lively[0], lively_starts, lively_members, stamps, i, contacts, count
+                query, shapes, balls, (lively[0], lively_starts, lively_members), stamps, i, contacts, count
             )
     return count
 
@@ -133,15 +131,14 @@ def touch_all(
     query: QueryRow,
     shapes: Table[ShapeRow],
     balls: Table[BallRow],
-    grid: SearchGridRow,
-    starts: Table[int],
-    members: Table[int],
+    search_grid: SearchGrid,
     stamps: Table[int],
     i: int,
     contacts: Table[ContactRow],
     count: int,
 ) -> int:
     """The count of overlaps found so far after those of ball `i` with the items of one grid, later balls left out."""
+    grid, starts, members = search_grid
     x, y, radius = float(balls[i]["x"]), float(balls[i]["y"]), float(balls[i]["radius"])
     slack = radius + slack_at(grid, x, y)
     first_column, last_column, first_line, last_line = cells_around(grid, x, y, x, y, slack)
@@ -150,9 +147,7 @@ def touch_all(
             cell = line * int(grid["columns"]) + column
             for place in range(starts[cell], starts[cell + 1]):
                 item = int(members[place])
-                mark = item if item >= 0 else len(shapes) - 1 - item
-                if stamps[mark] != i + 1 and -1 - item < i:
-                    stamps[mark] = i + 1
+                if -1 - item < i and is_first_visit(stamps, shapes, item, i):
                     if item < 0:
                         count = touch_ball(query, balls, -1 - item, i, contacts, count)
                     else:
@@ -179,6 +174,7 @@ def touch_ball(query: QueryRow, balls: Table[BallRow], i: int, j: int, contacts:
 def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table[ContactRow], count: int) -> int:
     """The count of overlaps after that of a ball with a shape, if there is one; a gate's closed side alone counts."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    # Boxes, then masks, then the overlap itself: from the cheapest to the dearest.
     left, bottom, right, top = float(shape["left"]), float(shape["bottom"]), float(shape["right"]), float(shape["top"])
     if not boxes_overlap(left, bottom, right, top, x - radius, y - radius, x + radius, y + radius):
         return count

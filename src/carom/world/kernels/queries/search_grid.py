@@ -28,6 +28,7 @@ def item_box(shapes: Table[ShapeRow], balls: Table[BallRow], item: int) -> tuple
 
 def is_box(left: float, bottom: float, right: float, top: float) -> bool:
     """True if four sides are a finite box."""
+    # Infinite sides make this infinite or NaN, and then it does not cancel.
     around = (right - left) + (top - bottom)
     return left <= right and bottom <= top and around - around == 0.0
 
@@ -107,9 +108,19 @@ def cell_width(width: float, height: float, count: int, sides: float, areas: flo
         return 1.0
     most = SEARCH_CELLS_PER_ITEM * count
     side = max(sqrt(width / most) * sqrt(height), max(width, height) / most)
+    # Solved for s: areas/s² + 2·sides/s + 4·count is at most SEARCH_MARKS_PER_ITEM·count.
     spare = (SEARCH_MARKS_PER_ITEM - 4.0) * count
     side = max(side, (sides + sqrt(sides * sides + spare * areas)) / spare)
     return side if 0.0 < side < 1e300 else 1e300
+
+
+def is_first_visit(stamps: Table[int], shapes: Table[ShapeRow], item: int, k: int) -> bool:
+    """True if query `k` comes upon an item for the first time; an item stands in every cell that it comes into."""
+    mark = item if item >= 0 else len(shapes) - 1 - item
+    if stamps[mark] == k + 1:
+        return False
+    stamps[mark] = k + 1
+    return True
 
 
 def column_of(offset: float, side: float, most: int) -> int:
@@ -125,6 +136,7 @@ def cells_around(
     from_x, to_x = left - slack - float(grid["left"]), right + slack - float(grid["left"])
     from_y, to_y = bottom - slack - float(grid["bottom"]), top + slack - float(grid["bottom"])
     columns, lines = int(grid["columns"]), int(grid["lines"])
+    # Clamping alone would give the border cells to what lies beside the grid.
     if to_x < 0.0 or to_y < 0.0 or from_x > columns * side or from_y > lines * side:
         return 0, -1, 0, -1
     return (

@@ -114,6 +114,7 @@ def begin_substep(
     NEEDS_PAIRS where that has no room, NOT_FINITE if a shape went out of the range of numbers and the step was undone.
     """
     state = states[0]
+    # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
         if move_shapes(state, balls, shapes, order, substep_length(state)):
             state["moving_stale"] = 1
@@ -143,6 +144,7 @@ def rebuild_index(
         if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), 0.0, cells, members):
             return False
         state["index_stale"] = 0
+        # The kinematic index begins where the static one ends.
         state["moving_stale"] = 1
     if state["moving_stale"] != 0:
         if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), span, cells, members):
@@ -173,6 +175,7 @@ def meet_all_shapes(
     """
     index, cells, members = shape_index
     first = state["iteration"] == 0 and state["detection"] == DISCRETE
+    # One round more than there are iterations: shapes at rest have the last word, whatever pairs did.
     settling = state["iteration"] == state["iterations"]
     kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
     gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
@@ -189,6 +192,7 @@ def meet_all_shapes(
         saved[i]["touched"] &= kept
         way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
         for turn in range(2):
+            # Static shapes last in that round: what moves may push a ball into a wall, never the reverse.
             entry = index[1 - turn if settling else turn]
             cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
             k, end = cell_span(cells, cell)
@@ -208,6 +212,7 @@ def meet_all_shapes(
                 pushed = meet_shape(
                     state, ball, i, shapes, row, shape_index, hits, relations, saved[i], first, way, touch
                 )
+                # A push may have taken it into another cell, whose shapes it meets from there on, in the same order.
                 if pushed and left > 0:
                     new_cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
                     if new_cell != cell:
@@ -240,6 +245,7 @@ def lacks_room(state: StateRow, hits: int, relations: int, cursor: int, most: in
 def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:
     """How many shapes a ball can meet in one iteration at most."""
     fixed, moving = int(state["fixed"]), int(state["shapes"] - state["fixed"])
+    # The cell that it was in, and those that pushes may take it into.
     lists = 1 + NEW_CELLS
     return min(lists * int(index[FIXED]["longest"]), fixed) + min(lists * int(index[MOVING]["longest"]), moving)
 
@@ -257,6 +263,7 @@ def find_pairs(
     index, cells, members = shape_index
     count = 0
     if state["balls"] > 1:
+        # Where room runs out the search begins anew, so its tests are not to count twice.
         tests = int(state["box_tests"])
         if state["broad_phase"] == BRUTE:
             count = pairs_by_brute_force(state, balls, pairs)
@@ -270,6 +277,7 @@ def find_pairs(
         if count < 0:
             state["box_tests"] = tests
             return NEEDS_PAIRS
+    # Later iterations look only at pairs of which one was moved since it was tested.
     if state["iteration"] > 0:
         count = keep_due(pairs, count, saved)
     for i in range(state["balls"]):
@@ -308,6 +316,7 @@ def meet_all_pairs(
     for k in range(state["cursor"], state["pairs"]):
         if lacks_room(state, len(hits), len(relations), k, 1):
             return NEEDS_ROOM
+        # The order of a pair's balls depends on the search; what follows from it must not.
         i = min(int(pairs[k, 0]), int(pairs[k, 1]))
         j = max(int(pairs[k, 0]), int(pairs[k, 1]))
         first, second = balls[i], balls[j]

@@ -33,8 +33,10 @@ def still_holds(
     A ball that passes a segment or arc overlaps it as long as any place of it, the ends included, is inside the ball.
     In the continuous mode a ball's flight has ended what it does not overlap any more.
     """
+    # Events have kept its relations up to date; what is left to see is what a user has switched meanwhile.
     if state["detection"] != DISCRETE:
         return is_there(balls, shapes, ball, kind, other)
+    # Only flights have lasting contacts; this one is left from a time in the other mode.
     if kind == LASTING:
         return False
     if kind == INSIDE_BALL:
@@ -85,6 +87,7 @@ def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> N
     """Apply friction for `duration` seconds, and put to sleep the balls that have been slow for long enough."""
     worlds_loss = float(state["friction"]) * duration
     sleep_speed = float(state["sleep_speed"])
+    # Most worlds have neither: then the balls need not be looked at.
     if worlds_loss == 0.0 and sleep_speed == 0.0 and state["braked"] == 0:
         return
     for i in range(state["balls"]):
@@ -100,6 +103,7 @@ def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> N
             ball["still_time"] = 0.0
             continue
         ball["still_time"] += duration
+        # What is slow for a moment only, at the top of its way, must not freeze there.
         if ball["still_time"] >= state["sleep_time"]:
             ball["asleep"] = 1
             ball["vx"] = 0.0

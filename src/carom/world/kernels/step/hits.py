@@ -23,6 +23,7 @@ def record_hit(
     `touch` is the point, the unit normal towards the ball and the setback.
     """
     px, py, nx, ny, setback = touch
+    # The row may hold an older hit: every field is written.
     write_hit(state, hit, time, BOUNCE, int(ball["id"]), int(shape["id"]))
     hit["point_x"] = px
     hit["point_y"] = py

@@ -14,6 +14,7 @@ from carom.rows.tables import Table
 
 def move_ball(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> None:
     """Move a ball along the exact parabola of constant gravity for `duration` seconds."""
+    # Exact for constant gravity, so a fall takes no energy, whatever the substep is.
     half = 0.5 * duration * duration
     vx, vy = float(ball["vx"]), float(ball["vy"])
     ball["x"] = float(ball["x"]) + (vx * duration + gravity_x * half)
@@ -36,6 +37,7 @@ def move_shapes(
         right, top = float(shape["right"]), float(shape["top"])
         if shape["motion"] == KINEMATIC and advance_pose(shape, duration):
             moved = True
+            # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
                 bulge = turning_bulge(shape)
                 left = smaller(left, float(shape["left"])) - bulge
@@ -58,6 +60,7 @@ def turning_bulge(shape: ShapeRow) -> float:
     x, y = float(shape["pivot_x"]), float(shape["pivot_y"])
     across = larger(fabs(float(shape["left"]) - x), fabs(float(shape["right"]) - x))
     along = larger(fabs(float(shape["bottom"]) - y), fabs(float(shape["top"]) - y))
+    # The sagitta of an arc of radius r and angle a is r(1 - cos(a/2)), which is r·a²/8 at most.
     return length(across, along) * smaller(0.125 * turn * turn, 2.0)
 
 
@@ -95,6 +98,7 @@ def slow_by_friction(ball: BallRow, loss: float) -> None:
     """Take `loss` from a ball's speed, at most all of it."""
     vx, vy = float(ball["vx"]), float(ball["vy"])
     speed = length(vx, vy)
+    # Sliding friction stops a ball, it never turns it round.
     if speed <= loss:
         ball["vx"] = 0.0
         ball["vy"] = 0.0

@@ -70,6 +70,7 @@ def contact_past_end(shape: ShapeRow, x: float, y: float, radius: float, wx: flo
     found = gap_at_rest(shape, x, y, radius, wx, wy, END_SLOP * radius)
     if found is None:
         return None
+    # Past the end by less than the slop counts as beside the end, with the normal of the side.
     gap, nx, ny = found
     if gap >= 0.0:
         return None
@@ -83,6 +84,7 @@ def seen_from(shape: ShapeRow, x: float, y: float) -> tuple[float, float]:
     to_x, to_y = float(shape["pivot_x"]), float(shape["pivot_y"])
     if shape["motion"] != KINEMATIC or (turn == 0.0 and from_x == to_x and from_y == to_y):
         return x, y
+    # Where the shape was is turned and moved to where it is; the place goes along.
     dx, dy = rotated(x - from_x, y - from_y, cos(turn), sin(turn))
     return to_x + dx, to_y + dy
 
@@ -104,6 +106,7 @@ def starts_passing(shape: ShapeRow, ball: BallRow, setback: float, moved: bool, 
         return True
     radius = float(ball["radius"])
     least = END_DEPTH_DISCRETE * radius
+    # A shallow overlap is the landing of a ball that comes from the side; a deep one past the ends is no landing.
     if setback <= least or is_between_ends(shape, x, y, radius) or not is_between_ends(shape, to_x, to_y, radius):
         return False
     return depth_on_entry(shape, radius, x, y, to_x, to_y) > least
@@ -124,6 +127,7 @@ def overlap_with(state: StateRow, ball: BallRow, shape: ShapeRow) -> Touch | Non
     if contact is None:
         return None
     _px, _py, _nx, _ny, setback = contact
+    # In flight a ball may touch to rounding without being in need of a push.
     if state["detection"] != DISCRETE and setback <= SEPARATION_SLACK * radius:
         return None
     return contact
@@ -160,6 +164,7 @@ def meet_shape(
     if starts_passing(shape, ball, setback, moved, way):
         add_relation(state, relations, ball, ball_row, PASSING, shape_row)
         return False
+    # From here on the shape holds the ball: it is moved out, and turned.
     share, pressed = room_for_push(state, ball, shapes, shape_row, shape_index, relations, nx, ny, setback)
     setback = share * setback
     if share == 0.0:
@@ -198,12 +203,14 @@ def room_for_push(
     moving = is_moving(shapes[shape_row])
     share = 1.0
     found = barrier(state, ball, shapes, shape_index, relations, shape_row, setback * nx, setback * ny)
+    # By halves: where a wedge is too narrow the ball comes out of it over several iterations and substeps.
     while found == NEAR and not moving and share > LEAST_SHARE:
         share *= 0.5
         dx, dy = share * setback * nx, share * setback * ny
         found = barrier(state, ball, shapes, shape_index, relations, shape_row, dx, dy)
     if found != FREE:
         return 0.0, False
+    # Early iterations may still push the other way; what is pressed in the last one stays pressed.
     last = state["iteration"] + 1 == state["iterations"]
     if not last and (not moving or state["iteration"] < PRESS_ITERATIONS):
         return share, False
@@ -231,10 +238,12 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
     s = dot(wx, wy, nx, ny)
     if not approaches(s, length_squared(vx, vy) + length_squared(ux, uy)):
         return
+    # The speed that the ball had when it touched, not that which gravity has given it inside the shape since.
     g_n = dot(float(state["gravity_x"]), float(state["gravity_y"]), nx, ny)
     approach = approach_at_contact(s, g_n, setback)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
+    # Too slow to leave again before gravity brings it back: it comes to rest on the shape.
     if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed(state)):
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
@@ -277,8 +286,10 @@ def balls_overlap(state: StateRow, first: BallRow, second: BallRow) -> bool:
     reach = first["radius"] + second["radius"]
     dx = second["x"] - first["x"]
     dy = second["y"] - first["y"]
+    # The boxes first, without the absolute value: four comparisons that mostly end at the first.
     if dx > reach or -dx > reach or dy > reach or -dy > reach or not may_collide(first, second):
         return False
+    # Sleepers keep what overlap they fell asleep with, or a pile would never rest.
     if first["asleep"] != 0 and second["asleep"] != 0:
         return False
     state["full_tests"] += 1
@@ -323,6 +334,7 @@ def meet_ball(
         return False
     if x1 == x2 and y1 == y2:
         state["overlaps"] += 1
+    # In inverse proportion to the masses, which leaves their centre of mass where it was.
     push_apart(first, second, nx, ny, setback)
     mark["touched"] |= BOTH_DUE
     other_mark["touched"] |= BOTH_DUE
@@ -403,6 +415,7 @@ def bounce_pair(
         return
     first_mass, second_mass = float(first["mass"]), float(second["mass"])
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
+    # Slow impacts of balls lose all of the approach, so that piles come to rest.
     resting = elasticity < 1.0 and u1 - u2 < rest_speed(state)
     new1, new2 = exchanged(u1, u2, first_mass, second_mass, 0.0 if resting else elasticity)
     first["vx"] = vx + (new1 - u1) * nx

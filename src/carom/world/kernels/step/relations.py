@@ -27,6 +27,7 @@ def add_relation(
     state: StateRow, relations: Table[RelationRow], ball: BallRow, ball_row: int, kind: int, other: int
 ) -> None:
     """Add a relation in front of a ball's others; there must be room."""
+    # Rows that were given back come first, so the pool is as long as the most there ever were at once.
     place = int(state["free_relation"])
     if place == NO_RELATION:
         place = int(state["relations_high"])
@@ -50,6 +51,7 @@ def drop_relation(state: StateRow, relations: Table[RelationRow], ball: BallRow,
     else:
         relations[before]["next"] = following
     relations[place]["next"] = state["free_relation"]
+    # Snapshots tell free rows from used ones by this.
     relations[place]["ball"] = NO_RELATION
     state["free_relation"] = place
     state["relations"] -= 1

@@ -15,6 +15,7 @@ from carom.world.kernels.step.motion import wake_all
 
 def is_finite(value: float) -> bool:
     """True unless the value is infinite or NaN."""
+    # Infinity minus itself is NaN, and NaN equals nothing.
     return value - value == 0.0
 
 
@@ -63,6 +64,7 @@ def begin_step(
 ) -> int:
     """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
     state = states[0]
+    # Nothing is changed before all balls are found good: a refused step leaves no trace.
     largest = 0.0
     braked = 0
     for i in range(state["balls"]):
@@ -79,6 +81,7 @@ def begin_step(
     if state["wake"] != 0:
         wake_all(state, balls)
         state["wake"] = 0
+    # An index for larger balls serves smaller ones; it is made anew when it serves far larger ones than there are.
     if largest > state["reach"] or largest * 4.0 < state["reach"]:
         state["reach"] = largest
         state["index_stale"] = 1
@@ -129,7 +132,9 @@ def save(
     save_balls(state, balls, saved)
     count, fixed = int(state["shapes"]), int(state["fixed"])
     for k in range(fixed, count):
+        # Static shapes do not change in a step, so they need no copy.
         shapes[count + k - fixed] = shapes[order[k]]
+    # The whole pool in use is copied, free rows too: they are linked by their numbers.
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[half + k] = relations[k]
@@ -149,6 +154,7 @@ def roll_back(
     state = states[0]
     for i in range(state["balls"]):
         ball, kept = balls[i], saved[i]
+        # Python names the ball in the error, so the copy keeps which one it was.
         kept["overflowed"] = 0 if is_sound(ball) else 1
         ball["x"] = kept["x"]
         ball["y"] = kept["y"]
@@ -166,6 +172,7 @@ def roll_back(
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]
+    # The index holds shapes where the failed step had moved them.
     state["index_stale"] = 1
 
 
@@ -186,6 +193,7 @@ def end_step(
     if state["bounded"] != 0:
         find_strays(state, balls)
     if state["sleeping"] > 0:
+        # The next step compares with this, to see what was changed through a view while something slept.
         save_balls(state, balls, saved)
     state["time"] += state["dt"]
     state["steps_left"] -= 1
@@ -203,5 +211,6 @@ def find_strays(state: StateRow, balls: Table[BallRow]) -> None:
         outside = x + radius < left or x - radius > right or y + radius < bottom or y - radius > top
         if outside:
             state["outside"] += 1
+            # A stray counts once, when it leaves, not in every step that it is out.
             state["strays"] += 1 - ball["stray"]
         ball["stray"] = 1 if outside else 0

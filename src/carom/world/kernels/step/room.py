@@ -45,6 +45,7 @@ def barrier(
     `pusher` is the row of the shape that pushes, or BY_BALL. What stands still pushes a ball across what moves.
     """
     index, cells, members = shape_index
+    # What moves gives way to what does not, or the two would hold a ball between them for ever.
     still = pusher != BY_BALL and not is_moving(shapes[pusher])
     found = FREE
     if length(dx, dy) * PUSH_MARGIN > float(ball["radius"]):
@@ -68,6 +69,7 @@ def barrier_of(
 ) -> int:
     """The same for one shape; FREE for one that does not hold the ball."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    # The box first: most of a cell's shapes are not near the push at all.
     room = SIDE_ROOM * radius
     if (
         smaller(x, x + dx) - room > shape["right"]
@@ -82,6 +84,7 @@ def barrier_of(
         return FREE
     if crosses_side(shape, x, y, dx, dy, END_SLOP * radius):
         return ACROSS
+    # A ball whose centre is inside a solid circle is on its way out; nearness is no reason to keep it.
     if shape["solid"] != 0 and circle_contains(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]), x, y):
         return FREE
     return NEAR if comes_near(shape, x, y, dx, dy, room) else FREE
@@ -93,6 +96,7 @@ def comes_near(shape: ShapeRow, x: float, y: float, dx: float, dy: float, room: 
     if after is None:
         return False
     before = find_contact(shape, x, y, room, dx, dy)
+    # It was clear by more than the room and is nearer now.
     if before is None:
         return True
     _px, _py, _nx, _ny, depth = after

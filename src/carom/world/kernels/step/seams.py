@@ -58,6 +58,7 @@ def yields_to_wall(
     if length(x - float(point["cx"]), y - float(point["cy"])) >= radius:
         return False
     index, cells, members = shape_index
+    # A ball that overlaps the wall is in the wall's reach, so the wall is in the cell of the ball's centre.
     for which in range(2):
         k, end = cell_span(cells, locate(index[which], cells, x, y))
         while k < end:
@@ -87,10 +88,12 @@ def wall_takes_ball(
     if found is None:
         return False
     gap, _nx, _ny = found
+    # A wall that the ball does not touch yet does not hold it; the point may.
     if gap > SEPARATION_SLACK * radius:
         return False
     if height_over(wall, x, y, float(point["cx"]), float(point["cy"])) > SEAM_REACH * radius:
         return False
     if find_relation(relations, ball, PASSING, row):
         return False
+    # A wall that lets the ball by does not shield it from the point.
     return not starts_passing(wall, ball, 0.0 - gap, moved, way)
