@@ -64,7 +64,16 @@ def prepare_index(world: World, reach: float) -> None:
     state = room.states[0]
     for which in (FIXED, MOVING):
         while not build_index(
-            state, room.balls.rows, room.shapes.rows, room.order, room.index, which, reach, room.cells, room.members
+            state,
+            room.balls.rows,
+            room.shapes.rows,
+            room.order,
+            room.index,
+            which,
+            reach,
+            0.0,
+            room.cells,
+            room.members,
         ):
             room.extend(2)
 
@@ -72,6 +81,6 @@ def prepare_index(world: World, reach: float) -> None:
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     """The rows of the shapes that the index gives for a place, in its order."""
     room = world._room
-    begin, end = cell_span(room.cells, locate(room.states[0], room.index[which], room.cells, x, y))
+    begin, end = cell_span(room.cells, locate(room.index[which], room.cells, x, y))
     rows: list[int] = room.members[begin:end].tolist()
     return rows

@@ -50,7 +50,7 @@ def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
     prepare_index(world, 1.0)
     room = world._room
     places = ((5.0, 1.5), (11.2, 0.0), (1e300, 0.0), (0.0, -inf), (nan, 0.0), (0.0, nan))
-    cells = [locate(room.states[0], room.index[FIXED], room.cells, x, y) for x, y in places]
+    cells = [locate(room.index[FIXED], room.cells, x, y) for x, y in places]
     assert [cell for cell in cells[2:] if cell != -1] == []
     assert found_shapes(world, FIXED, 5.0, 0.5) == [0]
 
