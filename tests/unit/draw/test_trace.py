@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.draw.history.trace import MOST_FOLLOWED, MOST_HITS, MOST_STEPS, MOST_WAITING, Trace, centers_at, followed
+from carom.draw.history.trace import MOST_FOLLOWED, MOST_HITS, MOST_STEPS, MOST_WAITING, Trace, followed
+from carom.draw.history.tracks import centers_at
 from carom.rows.hit import HIT
 from carom.world.hits import HitKind
 from tests.worlds import world_of
@@ -51,6 +52,14 @@ def test_only_the_last_steps_are_remembered() -> None:
     assert len(track.times) == MOST_STEPS + 1
     assert track.points[0].tolist() == [100, 0]
     assert track.points[-1].tolist() == [MOST_STEPS + 100, 0]
+
+
+def test_steps_of_no_length_take_no_room() -> None:
+    trace = traced(world := world_of(carom.Ball((0, 0), 0.5, velocity=(64, 0))), 3)
+    for _ in range(5):
+        trace.note(world.step(0.0))
+    (track,) = trace.tracks()
+    assert track.points[:, 0].tolist() == [0, 1, 2, 3]
 
 
 def test_a_ball_that_leaves_the_world_ends_its_track_and_others_keep_theirs() -> None:

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.history.trace import MOST_HITS, centers_at, followed, track_through
-from carom.draw.history.tracks import thinned
+from carom.draw.history.trace import MOST_HITS, followed
+from carom.draw.history.tracks import Track, centers_at, thinned
 from carom.draw.parts.cells import cells_of
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.legend import remarks, seconds
 from carom.draw.parts.looks import LOOKS, look_now, material_of
-from carom.draw.parts.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of
+from carom.draw.parts.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of, strongest
 from carom.draw.parts.outlines import ends_of
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import MOST_SHARES, TRACK_TOLERANCE, box_around, composed
@@ -24,7 +24,6 @@ from carom.spelling import spelled
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from carom.draw.history.tracks import Track
     from carom.draw.parts.cells import Cell
     from carom.draw.parts.frame import Size
     from carom.draw.picture import Picture
@@ -78,8 +77,11 @@ class Footage:
         column = int(np.searchsorted(recording.ids, ball))
         points = recording.positions[:, column]
         there = ~np.isnan(points[:, 0])
-        bounces = centers_at(self.bounces, ball, float(recording.radii[column]))
-        return track_through(ball, recording.times[there], points[there], *bounces)
+        bounce_times, centers = centers_at(self.bounces, ball, float(recording.radii[column]))
+        # A bounce at a step's end stands before where the ball was then: it may have moved on since.
+        times = np.concatenate([bounce_times, recording.times[there]])
+        order = np.argsort(times, kind="stable")
+        return Track(ball, times[order], np.concatenate([centers, points[there]])[order])
 
     def moment(self, frame: int, span: float, most: int = MOST_HITS) -> Moment:
         """What there is to be seen at a frame, with the tracks and at `most` so many hits of `span` seconds before it.
@@ -157,11 +159,6 @@ class Footage:
         tolerance = picture.frame.units(TRACK_TOLERANCE)
         self.tracks = tuple(thinned(track, tolerance, in_time=True) for track in self.tracks)
         return replace(picture, moment=self.moment(frame, span))
-
-
-def strongest(bounces: Rows, most: int) -> Rows:
-    """The `most` strongest of some bounces, the strongest first."""
-    return np.take(bounces, np.argsort(-bounces["impulse"], kind="stable")[:most])
 
 
 @spelled

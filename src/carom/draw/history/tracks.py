@@ -1,7 +1,8 @@
-"""The ways that balls took: thinned to the points that matter, and cut into bands of age."""
+"""The ways that balls took: noted as they go, thinned to the points that matter, and cut into bands of age."""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -12,6 +13,8 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from carom.draw.paint.painter import Points
+    from carom.rows.tables import Rows
+    from carom.world.world import World
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -26,6 +29,55 @@ class Track:
     ball: int
     times: Floats
     points: Points
+
+
+class Ways(dict[int, deque[tuple[float, bool, float, float]]]):
+    """The ways of some balls up to now, by id: the places where each was after steps, and those where it bounced.
+
+    Of each place: the time, whether a step ended there, x, y. Where nothing was hit, `spacing` seconds lie between two.
+    """
+
+    def __init__(self, spacing: float = 0.0) -> None:
+        super().__init__()
+        self._spacing = spacing
+
+    def note(self, world: World, which: slice | NDArray[np.intp], bounces: Rows, since: float) -> None:
+        """Go on to where some of the world's balls are now, by the bounces of the step; forget what is before `since`.
+
+        A bounce at the end of a step comes before that, for the ball may have moved on since.
+        """
+        time, balls = world.time, world.balls
+        ids, centers = balls.id[which], balls.position[which].tolist()
+        if len(bounces) > 0:
+            bounces = bounces[np.isin(bounces["ball"], ids) | np.isin(bounces["shape"], ids)]
+        met = {*bounces["ball"].tolist(), *bounces["shape"].tolist()}
+        # Not the column of radii: that may be written to, so those who ask for it wake the balls that sleep.
+        radii = world._room.balls.used["radius"][which].tolist()
+        for ball, radius, (x, y) in zip(ids.tolist(), radii, centers, strict=True):
+            way = self.setdefault(ball, deque())
+            if ball in met:
+                times, places = centers_at(bounces, ball, radius)
+                way.extend((at, False, *place) for at, place in zip(times.tolist(), places.tolist(), strict=True))
+            elif len(way) > 1 and way[-1][1] and (way[-1][0] == time or way[-1][0] - way[-2][0] < self._spacing):
+                way.pop()
+            way.append((time, True, x, y))
+        for way in self.values():
+            while way and way[0] < (since, True):
+                way.popleft()
+
+    def tracks(self) -> tuple[Track, ...]:
+        """The ways as tracks; those of which nothing is left are none."""
+        tables = [(ball, np.array(way)) for ball, way in self.items() if way]
+        return tuple(Track(ball, table[:, 0], table[:, 2:]) for ball, table in tables)
+
+
+def centers_at(bounces: Rows, ball: int, radius: float) -> tuple[Floats, Points]:
+    """When ball `ball` bounced, and where its centre was then: (n,) and (n, 2)."""
+    second = bounces["ball"] == ball
+    mine = second | (bounces["shape"] == ball)
+    # The normal points from a hit's shape, which may be a ball too, to its ball.
+    side = np.where(second[mine], radius, -radius)
+    return bounces["time"][mine], bounces["point"][mine] + side[:, None] * bounces["normal"][mine]
 
 
 def thinned(track: Track, tolerance: float, *, in_time: bool = False) -> Track:

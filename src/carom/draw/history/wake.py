@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import deque
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.draw.history.trace import MOST_FOLLOWED, centers_at
-from carom.draw.history.tracks import Track
-from carom.draw.parts.moment import bounces_of, latest_of
+from carom.draw.history.trace import MOST_FOLLOWED
+from carom.draw.history.tracks import Track, Ways
+from carom.draw.parts.moment import bounces_of, latest_of, strongest
 from carom.rows.hit import HIT
 
 if TYPE_CHECKING:
@@ -35,8 +34,7 @@ class Wake:
 
     def forget(self) -> None:
         """Forget all that was."""
-        # Of each ball: time, x, y, and whether it bounced there.
-        self._ways: dict[int, deque[tuple[float, float, float, bool]]] = {}
+        self._ways = Ways(SPACING)
         self._bounces: Rows = np.zeros(0, HIT)
 
     @property
@@ -50,22 +48,9 @@ class Wake:
         if len(bounces) or len(self._bounces):
             joined = np.concatenate([self._bounces, bounces])
             self._bounces = joined[joined["time"] > self.since][-MOST_BOUNCES:]
-        balls = self._world.balls
-        ids = balls.id[:MOST_FOLLOWED].tolist()
-        for gone in self._ways.keys() - set(ids):
+        for gone in self._ways.keys() - set(self._world.balls.id[:MOST_FOLLOWED].tolist()):
             del self._ways[gone]
-        met = {*bounces["ball"].tolist(), *bounces["shape"].tolist()} if len(bounces) else set()
-        time = self._world.time
-        for row, (ball, (x, y)) in enumerate(zip(ids, balls.position[:MOST_FOLLOWED].tolist(), strict=True)):
-            way = self._ways.setdefault(ball, deque())
-            if ball in met:
-                times, centers = centers_at(bounces, ball, balls[row].radius)
-                way.extend((at, *center, True) for at, center in zip(times.tolist(), centers.tolist(), strict=True))
-            elif len(way) > 1 and not way[-1][3] and way[-1][0] - way[-2][0] < SPACING:
-                way.pop()
-            way.append((time, x, y, False))
-            while way[0][0] < self.since:
-                way.popleft()
+        self._ways.note(self._world, slice(MOST_FOLLOWED), bounces, self.since)
 
     @property
     def followed(self) -> list[int]:
@@ -74,13 +59,12 @@ class Wake:
 
     def tracks(self) -> tuple[Track, ...]:
         """The ways of the followed balls, through the places where they bounced."""
-        tables = [(ball, np.array(way)) for ball, way in self._ways.items() if len(way) > 1]
-        return tuple(Track(ball, table[:, 0], table[:, 1:3]) for ball, table in tables)
+        return self._ways.tracks()
 
     @property
     def hits(self) -> Rows:
         """The bounces, the strongest first."""
-        return np.take(self._bounces, np.argsort(-self._bounces["impulse"], kind="stable"))
+        return strongest(self._bounces, MOST_BOUNCES)
 
     @property
     def latest(self) -> Rows:

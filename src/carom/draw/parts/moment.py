@@ -97,6 +97,11 @@ def bounces_of(hits: Rows) -> Rows:
     return np.compress(rows["kind"] == HitKind.BOUNCE, rows)
 
 
+def strongest(bounces: Rows, most: int) -> Rows:
+    """The `most` strongest of some bounces, the strongest first; of equally strong ones, the earliest."""
+    return np.take(bounces, np.argsort(-bounces["impulse"], kind="stable")[:most])
+
+
 def latest_of(bounces: Rows, time: float) -> Rows:
     """The bounces of the last `LATEST` seconds before `time`, the last `MOST_LATEST` of them."""
     return bounces[bounces["time"] > time - LATEST][-MOST_LATEST:]
