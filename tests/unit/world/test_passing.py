@@ -7,10 +7,10 @@ import pytest
 
 from carom import Arc, Ball, Gate, Segment, World
 from carom.constants import END_DEPTH_DISCRETE
-from carom.rows.kinds import depth_on_entry, in_reach
+from carom.rows.kinds import depth_on_entry
 from carom.rows.pose import advance_pose
 from carom.rows.relation import PASSING
-from carom.world.kernels.step.narrow import seen_from
+from carom.world.kernels.step.narrow import is_between_ends, seen_from
 from carom.world.kernels.step.relations import find_relation
 
 
@@ -168,13 +168,13 @@ def test_the_depth_on_entry_is_the_least_before_and_where_the_centre_crosses_an_
 
 def test_the_reach_of_an_arc_is_its_sector_and_that_of_a_segment_its_slab() -> None:
     arc = Arc((1, 1), 5, pi / 4, 3 * pi / 4)._row
-    assert in_reach(arc, 1 + cos(pi / 4), 1 + sin(pi / 4), 0.1)
-    assert in_reach(arc, 1.0, 90.0, 0.1)
-    assert not in_reach(arc, 9.0, 2.0, 0.1)
+    assert is_between_ends(arc, 1 + cos(pi / 4), 1 + sin(pi / 4), 0.1)
+    assert is_between_ends(arc, 1.0, 90.0, 0.1)
+    assert not is_between_ends(arc, 9.0, 2.0, 0.1)
     wall = Segment((0, 0), (0, 4))._row
-    assert in_reach(wall, 7.0, 4.0, 0.1)
-    assert in_reach(wall, 0.0, 4.0000000001, 0.5)
-    assert not in_reach(wall, 0.0, 4.0000001, 0.5)
+    assert is_between_ends(wall, 7.0, 4.0, 0.1)
+    assert is_between_ends(wall, 0.0, 4.0000000001, 0.5)
+    assert not is_between_ends(wall, 0.0, 4.0000001, 0.5)
 
 
 def test_passing_pairs_are_state() -> None:
