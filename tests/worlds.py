@@ -83,6 +83,13 @@ def crowded(balls: int = 12, seed: int = 0, **settings: Any) -> carom.World:
     return world
 
 
+def busy(balls: int = 12) -> carom.World:
+    """A crowded world after a second."""
+    world = crowded(balls)
+    world.run(1.0)
+    return world
+
+
 def add_walls(world: carom.World) -> None:
     """Put a room with a gap in its upper wall into a world, and posts at its corners."""
     corners = [(0.0, 0.0), (SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE)]

@@ -6,7 +6,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from carom.constants import CELL_SIDE
-from tests.physics.kernel_calls import Ball, ball_rows, found_pairs
+from tests.kernel_calls import Ball, ball_rows, found_pairs
 from tests.strategies import numbers
 
 

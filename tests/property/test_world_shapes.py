@@ -12,7 +12,7 @@ from carom.rows.kinds_near import distance_to_shape
 from carom.shapes.shape import Shape
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from tests import strategies
-from tests.physics.kernel_calls import found_shapes, prepare_index
+from tests.kernel_calls import found_shapes, prepare_index
 from tests.strategies import Figure
 
 PHASES = ("brute", "grid", "quadtree")

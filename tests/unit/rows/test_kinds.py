@@ -2,95 +2,36 @@
 
 import ast
 from collections.abc import Callable
-from math import cos, inf, pi, sin
+from math import inf, pi
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
-import carom
+from carom import Arc, Segment
 from carom.rows import kinds, kinds_in_motion, kinds_near, pose
+from carom.rows.kinds import depth_on_entry
 from carom.rows.shape import BALL_KIND, KIND_NAMES
-from carom.rows.tables import Row
-from carom.shapes import SHAPE_CLASSES
 from carom.world.kernels.continuous import support
 from tests.conventions.source_trees import functions, kernel_files
-
-Points = NDArray[np.float64]
+from tests.unit.rows.samples import (
+    ENDED,
+    KINDS,
+    NEAR,
+    PLACES,
+    RADIUS,
+    ROUND,
+    SAMPLES,
+    STRAIGHT,
+    nearest,
+    outline,
+    row_of,
+)
 
 UNKNOWN = 200
-MANY = 20_001
-#: How far apart two points of an outline may be, and what is found by looking at points and moments one by one.
-NEAR = 2e-3
 
-#: One shape of each kind, all about the middle of a room of 4 by 4, with the place of its outline that a ball is thrown
-#: at and the unit normal there. A new kind needs its line here, and one in `outline` and `is_inside`.
-SAMPLES: dict[str, tuple[carom.Shape, tuple[float, float], tuple[float, float]]] = {
-    "point": (carom.Point((0.25, -0.5)), (0.25, -0.5), (0.6, 0.8)),
-    "segment": (carom.Segment((-0.5, -0.5), (1.0, 0.625)), (0.25, 0.0625), (-0.6, 0.8)),
-    "gate": (carom.Gate((-0.5, -0.5), (1.0, 0.625), direction=(0.6, -0.8)), (0.25, 0.0625), (0.6, -0.8)),
-    "circle": (carom.Circle((0.25, -0.5), 0.8, solid=True), (0.73, 0.14), (0.6, 0.8)),
-    "arc": (carom.Arc((0.25, -0.5), 0.8, 0.2, 2.0), (0.73, 0.14), (0.6, 0.8)),
-}
-STRAIGHT, ROUND, ENDED = {"segment", "gate"}, {"point", "circle", "arc"}, {"segment", "gate", "arc"}
-RADIUS = 0.125
 #: Fields that say where a shape is.
 GEOMETRY = ("ax", "ay", "bx", "by", "cx", "cy", "dx", "dy", "start_angle", "end_angle")
-BOXES = [(x, y, x + 0.3, y + 0.3) for x in np.arange(-1.5, 1.5, 0.37) for y in np.arange(-1.5, 1.5, 0.37)]
-PLACES = [(float(x), float(y)) for x in np.arange(-1.5, 1.6, 0.29) for y in np.arange(-1.5, 1.6, 0.29)]
-
-KINDS = pytest.mark.parametrize("kind", [KIND_NAMES[code] for code in SHAPE_CLASSES])
-
-
-def row_of(kind: str) -> Row:
-    """The row of the sample of a kind."""
-    return SAMPLES[kind][0]._row
-
-
-def outline(shape: Any) -> Points:
-    """Many points along a shape from end to end, from what its attributes say."""
-    share = np.linspace(0.0, 1.0, MANY)[:, None]
-    if isinstance(shape, carom.Segment):
-        return np.asarray(shape.p0) + share * (np.asarray(shape.p1) - np.asarray(shape.p0))
-    if isinstance(shape, carom.Point):
-        return np.array([shape.position])
-    start, turn = 0.0, 2.0 * pi
-    if isinstance(shape, carom.Arc):
-        start, turn = shape.start_angle, (shape.end_angle - shape.start_angle) % (2.0 * pi)
-    angles = start + share * turn
-    return np.asarray(shape.center) + shape.radius * np.hstack([np.cos(angles), np.sin(angles)])
-
-
-def nearest(kind: str, x: float, y: float) -> tuple[float, Points, bool, bool]:
-    """The distance of a sample from a place, its point there, and whether that is a bare end; whether it is inside."""
-    shape = SAMPLES[kind][0]
-    points = outline(shape)
-    ways = np.hypot(*(points - (x, y)).T)
-    first = int(ways.argmin())
-    bare = kind in ENDED and first in (0, MANY - 1)
-    return float(ways[first]), points[first], bare, is_inside(shape, x, y)
-
-
-def is_inside(shape: Any, x: float, y: float) -> bool:
-    """Whether a place is inside of a shape that is solid."""
-    return isinstance(shape, carom.Circle) and shape.contains((x, y))
-
-
-def thrown(kind: str) -> tuple[float, float, float, float]:
-    """The place of a ball before the side of a sample that stops it, and its velocity towards that."""
-    _, (px, py), (nx, ny) = SAMPLES[kind]
-    return px + nx, py + ny, -2.0 * nx, -2.0 * ny
-
-
-def first_moment(kind: str, moved: Callable[[float], tuple[float, float]]) -> float:
-    """The first share of a way, from 0 to 1, at which a ball that is at `moved(share)` touches a sample."""
-    points = outline(SAMPLES[kind][0])[::20]
-    for share in np.linspace(0.0, 1.0, 2001):
-        x, y = moved(float(share))
-        if float(np.hypot(*(points - (x, y)).T).min()) <= RADIUS:
-            return float(share)
-    return inf
 
 
 # -- what the kinds are ----------------------------------------------------------------------------------------------
@@ -158,100 +99,6 @@ def test_how_deep_a_ball_is_that_comes_past_an_end() -> None:
     assert {kind: depth for kind, depth in found.items() if depth > -inf} == pytest.approx(expected, abs=NEAR)
 
 
-# -- near ------------------------------------------------------------------------------------------------------------
-
-
-@KINDS
-def test_the_nearest_point_and_its_distance(kind: str) -> None:
-    row = row_of(kind)
-    for x, y in PLACES:
-        away, point, _, inside = nearest(kind, x, y)
-        assert kinds_near.distance_to_shape(row, x, y) == pytest.approx(0.0 if inside else away, abs=NEAR)
-        px, py, within = kinds_near.closest_on_shape(row, x, y)
-        assert (np.hypot(x - px, y - py), within) == (pytest.approx(away, abs=NEAR), inside)
-        assert np.hypot(*(point - (px, py))) < 0.1 or away > 0.3
-
-
-@KINDS
-def test_what_is_in_a_box(kind: str) -> None:
-    points, shape = outline(SAMPLES[kind][0]), SAMPLES[kind][0]
-    for left, bottom, right, top in BOXES:
-        (x, y) = points.T
-        meets = bool(((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any())
-        meets = meets or is_inside(shape, left, bottom)
-        assert kinds_near.box_meets_shape(row_of(kind), left, bottom, right, top) == meets
-
-
-# -- in motion -------------------------------------------------------------------------------------------------------
-
-
-@KINDS
-def test_a_ball_touches_when_its_way_comes_within_its_radius(kind: str) -> None:
-    x, y, vx, vy = thrown(kind)
-    for ax, ay in ((0.0, 0.0), (0.3, -0.4)):
-        moment = first_moment(
-            kind, lambda t, a=(ax, ay): (x + (vx + 0.5 * a[0] * t) * t, y + (vy + 0.5 * a[1] * t) * t)
-        )
-        found = kinds_in_motion.impact_at_rest(row_of(kind), x, y, RADIUS, vx, vy, ax, ay, 1.0)
-        assert found == pytest.approx(moment, abs=NEAR)
-    assert kinds_in_motion.impact_at_rest(row_of(kind), x, y, RADIUS, -vx, -vy, 0.0, 0.0, 1.0) is None
-
-
-@KINDS
-def test_a_ball_touches_a_shape_that_travels_and_turns_when_it_comes_within_its_radius(kind: str) -> None:
-    x, y, vx, vy = thrown(kind)
-    row = row_of(kind)
-    px, py = float(row["pivot_x"]), float(row["pivot_y"])
-
-    def seen(t: float, ux: float, uy: float, spin: float) -> tuple[float, float]:
-        dx, dy = x + vx * t - px - ux * t, y + vy * t - py - uy * t
-        c, s = cos(spin * t), sin(spin * t)
-        return px + c * dx + s * dy, py - s * dx + c * dy
-
-    for ux, uy, spin in ((0.2, -0.1, 0.0), (0.1, 0.2, 0.3)):
-        moment = first_moment(kind, lambda t, u=(ux, uy, spin): seen(t, *u))
-        found = kinds_in_motion.impact_in_frame(row, ux, uy, spin, x, y, RADIUS, vx, vy, 0.0, 0.0, 1.0)
-        assert found == pytest.approx(moment, abs=NEAR)
-
-
-@KINDS
-def test_a_moved_circle_stops_where_it_touches_and_a_gate_only_from_its_closed_side(kind: str) -> None:
-    _, (px, py), (nx, ny) = SAMPLES[kind]
-    x, y, dx, dy = thrown(kind)
-    share = first_moment(kind, lambda t: (x + dx * t, y + dy * t))
-    found = kinds_in_motion.ray_shape(row_of(kind), x, y, RADIUS, dx, dy)
-    assert found == pytest.approx((share, px, py, nx, ny), abs=NEAR)
-    behind = kinds_in_motion.ray_shape(row_of(kind), px - 2.0 * nx, py - 2.0 * ny, RADIUS, -dx, -dy)
-    assert (behind is None) == (kind == "gate")
-
-
-# -- pose ------------------------------------------------------------------------------------------------------------
-
-
-@KINDS
-def test_the_box_is_that_of_the_outline(kind: str) -> None:
-    row = row_of(kind)
-    pose.derive(row)
-    points = outline(SAMPLES[kind][0])
-    found = [float(row[side]) for side in ("left", "bottom", "right", "top")]
-    assert found == pytest.approx([*points.min(axis=0), *points.max(axis=0)], abs=NEAR)
-
-
-@KINDS
-@pytest.mark.parametrize("turn", [0.0, 0.7])
-def test_a_posed_shape_is_the_initial_one_turned_and_moved(kind: str, turn: float) -> None:
-    row = row_of(kind).copy()
-    before = outline(SAMPLES[kind][0])[:: MANY // 50] - (float(row["pivot_x"]), float(row["pivot_y"]))
-    row["orientation"] = turn
-    row["pivot_x"] += 0.5
-    row["pivot_y"] -= 0.25
-    pose.pose(row)
-    c, s = cos(turn), sin(turn)
-    for x, y in before:
-        place = float(row["pivot_x"]) + c * x - s * y, float(row["pivot_y"]) + s * x + c * y
-        assert kinds_near.distance_to_shape(row, *place) == pytest.approx(0.0, abs=1e-12)
-
-
 # -- what slides along ------------------------------------------------------------------------------------------------
 
 
@@ -276,6 +123,8 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[float, ...], Any]] = {
     "lets_pass": (kinds.lets_pass, (0.0, 0.0), False),
     "distance_to_shape": (kinds_near.distance_to_shape, (0.0, 0.0), inf),
     "closest_on_shape": (kinds_near.closest_on_shape, (0.0, 0.0), (inf, inf, False)),
+    "height_over": (kinds_near.height_over, (0.0, 0.0, 1.0, 1.0), inf),
+    "crosses_side": (kinds_near.crosses_side, (-9.0, -9.0, 18.0, 18.0, 1.0), False),
     "box_meets_shape": (kinds_near.box_meets_shape, (-9.0, -9.0, 9.0, 9.0), False),
     "impact_at_rest": (kinds_in_motion.impact_at_rest, (-3.0, -3.0, 9.0, 1.0, 1.0, 0.0, 0.0, 9.0), None),
     "impact_in_frame": (
@@ -289,8 +138,9 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[float, ...], Any]] = {
 
 #: Those that write; each has a test of its own here.
 WRITERS = {"derive", "pose", "_shift", "_turn"}
-#: It does with an unknown kind what it does with a gate: it lets the ball go on for a part of the substep.
-INDIFFERENT = {"slide_time"}
+#: What they do with an unknown kind is what they do with most: a ball slides along it for a part of the substep, and
+#: it is a wall, if a point is on it; having arrived, it is everywhere.
+INDIFFERENT = {"slide_time", "leave_points", "is_on_wall_of", "_arrive"}
 
 
 @KINDS
@@ -333,3 +183,17 @@ def tells_kinds_apart(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 def test_every_kernel_that_tells_kinds_apart_is_asked_here() -> None:
     telling = {function.name for path in kernel_files() for function in functions(path) if tells_kinds_apart(function)}
     assert telling == MISSES.keys() | WRITERS | INDIFFERENT
+
+
+def test_the_depth_on_entry_is_the_least_before_and_where_the_centre_crosses_an_edge() -> None:
+    wall = Segment((0, 0), (10, 0))._row
+    assert depth_on_entry(wall, 1.0, -1.0, 0.5, 3.0, 0.5) == pytest.approx(0.5)
+    assert depth_on_entry(wall, 1.0, -1.0, 2.0, 1.0, 0.0) == pytest.approx(-1)
+    assert depth_on_entry(wall, 1.0, 12.0, 0.5, 8.0, -1.5) == pytest.approx(0.5)
+    assert depth_on_entry(wall, 1.0, 12.0, 0.0, 8.0, 1.5) == pytest.approx(0.25)
+    arc = Arc((0, 0), 5, 0, pi / 2)._row
+    assert depth_on_entry(arc, 1.0, 5.0, -1e-9, 4.5, 1.0) == pytest.approx(1)
+    assert depth_on_entry(arc, 1.0, 5.0, -2.0, 5.0, 1.0) == pytest.approx(1 - (29**0.5 - 5))
+    assert depth_on_entry(arc, 1.0, -1.0, 5.5, 1.0, 4.5) == pytest.approx(1 - (31.25**0.5 - 5))
+    assert depth_on_entry(arc, 1.0, 3.0, -3.0, 3.0, 1.0) == pytest.approx(-1)
+    assert depth_on_entry(arc, 1.0, -1.0, -1.0, 1.0, 1.0) == pytest.approx(-4)

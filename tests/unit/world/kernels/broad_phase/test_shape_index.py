@@ -1,12 +1,10 @@
 """The index of shapes: which cell a place is in, what is in it, and when it is made anew."""
 
-from math import inf, nan, pi
+from math import inf, nan
 
 import pytest
 
-from carom import Arc, Ball, Circle, Point, Segment, World
-from carom.rows.kinds_near import distance_to_shape
-from carom.shapes.shape import Shape
+from carom import Ball, Circle, Point, Segment, World
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
@@ -14,25 +12,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     rest_of_cell,
 )
-from tests.physics.kernel_calls import found_shapes, prepare_index
-
-
-@pytest.mark.parametrize(
-    ("shape", "place", "distance"),
-    [
-        (Point((1, 1)), (4, 5), 5),
-        (Segment((0, 0), (4, 0)), (2, -3), 3),
-        (Segment((0, 0), (4, 0)), (7, 4), 5),
-        (Circle((0, 0), 2), (0.5, 0), 1.5),
-        (Circle((0, 0), 2, solid=True), (0.5, 0), 0),
-        (Circle((0, 0), 2, solid=True), (5, 0), 3),
-        (Arc((0, 0), 5, 0, pi / 2), (6, 8), 5),
-        (Arc((0, 0), 5, 0, pi / 2), (1, 0), 4),
-        (Arc((0, 0), 5, 0, pi / 2), (0, -12), 13),
-    ],
-)
-def test_the_distance_to_a_shape_counts_its_ends(shape: Shape, place: tuple[float, float], distance: float) -> None:
-    assert distance_to_shape(shape._row, *map(float, place)) == pytest.approx(distance)
+from tests.kernel_calls import found_shapes, prepare_index
 
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])

@@ -1,4 +1,4 @@
-"""Calls of the broad phases' kernels as they stand, with the room that they ask for."""
+"""Calls of kernels as they stand, interpreted, with the rows and the room that they ask for."""
 
 from collections.abc import Iterable
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from carom import World
 from carom.rows.ball import ALL_LAYERS, BALL
-from carom.rows.index import CELL, SLOT
+from carom.rows.index import CELL, SLOT, ShapeIndex
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import SHAPE
 from carom.rows.state import BRUTE, GRID, QUADTREE, STATE
@@ -14,6 +14,9 @@ from carom.rows.tables import Rows
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
+from carom.world.kernels.continuous.flight import begin_flight, new_flights
+from carom.world.kernels.continuous.spans import many_kinematic, set_shapes_going
+from carom.world.tables import Room
 
 Ball = tuple[float, float, float]
 Pair = tuple[int, int]
@@ -57,8 +60,8 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> li
     return [(min(i, j), max(i, j)) for i, j in pairs[:count].tolist()]
 
 
-def prepare_index(world: World, reach: float) -> None:
-    """Make the index of a world's shapes for balls up to a radius, as the next step would."""
+def prepare_index(world: World, reach: float, span: float = 0.0) -> None:
+    """Make the index of a world's shapes for balls up to a radius, as the next step, or span of one, would."""
     room = world._room
     room.prepare()
     state = room.states[0]
@@ -71,7 +74,7 @@ def prepare_index(world: World, reach: float) -> None:
             room.index,
             which,
             reach,
-            0.0,
+            span if which == MOVING else 0.0,
             room.cells,
             room.members,
         ):
@@ -84,3 +87,31 @@ def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     begin, end = cell_span(room.cells, locate(room.index[which], room.cells, x, y))
     rows: list[int] = room.members[begin:end].tolist()
     return rows
+
+
+def shape_index(room: Room) -> ShapeIndex:
+    """Where kernels find the shapes near a place."""
+    return room.index, room.cells, room.members
+
+
+def prepared(world: World) -> Room:
+    """The tables of a world as a step finds them that has made the index of its shapes."""
+    prepare_index(world, float(world.balls.radius.max(initial=0.0)))
+    return world._room
+
+
+def in_flight(world: World, span: float) -> Room:
+    """The tables of a continuous world whose balls begin a span, which is a whole step of so many seconds."""
+    room = world._room
+    room.prepare()
+    state = room.states[0]
+    state["dt"] = state["span"] = span
+    set_shapes_going(state, room.balls.rows, room.shapes.rows, room.order)
+    prepare_index(world, float(world.balls.radius.max(initial=0.0)), span if many_kinematic(state) else 0.0)
+    state["substeps"] = state["steps_left"] = 1
+    state["binned"] = state["swept"] = state["queued"] = 0
+    state["bin_levels"] = 1
+    new_flights(state, room.flights)
+    for ball, flight in zip(room.balls.used, room.flights, strict=False):
+        begin_flight(state, ball, flight)
+    return room

@@ -1,11 +1,13 @@
 """One substep of a shape's motion: what moves, what is remembered, and where the stops are."""
 
-from math import pi
+from math import cos, pi, sin
 
 import pytest
 
 from carom import Arc, Circle, Gate, Point, Segment, Shape
+from carom.rows import kinds_near, pose
 from carom.rows.pose import advance_pose
+from tests.unit.rows.samples import KINDS, MANY, NEAR, SAMPLES, outline, row_of
 
 
 def advance(shape: Shape, h: float, times: int = 1) -> bool:
@@ -105,3 +107,27 @@ def test_an_arc_turns_its_angles() -> None:
     assert (arc.start_angle, arc.end_angle, arc.acute) == (pytest.approx(6.5 - 2 * pi), 1.5, True)
     fresh = Arc(arc.center, 1, arc.start_angle, arc.end_angle)
     assert (arc.p0, arc.p1, arc.aabb) == (fresh.p0, fresh.p1, fresh.aabb)
+
+
+@KINDS
+def test_the_box_is_that_of_the_outline(kind: str) -> None:
+    row = row_of(kind)
+    pose.derive(row)
+    points = outline(SAMPLES[kind][0])
+    found = [float(row[side]) for side in ("left", "bottom", "right", "top")]
+    assert found == pytest.approx([*points.min(axis=0), *points.max(axis=0)], abs=NEAR)
+
+
+@KINDS
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_a_posed_shape_is_the_initial_one_turned_and_moved(kind: str, turn: float) -> None:
+    row = row_of(kind).copy()
+    before = outline(SAMPLES[kind][0])[:: MANY // 50] - (float(row["pivot_x"]), float(row["pivot_y"]))
+    row["orientation"] = turn
+    row["pivot_x"] += 0.5
+    row["pivot_y"] -= 0.25
+    pose.pose(row)
+    c, s = cos(turn), sin(turn)
+    for x, y in before:
+        place = float(row["pivot_x"]) + c * x - s * y, float(row["pivot_y"]) + s * x + c * y
+        assert kinds_near.distance_to_shape(row, *place) == pytest.approx(0.0, abs=1e-12)

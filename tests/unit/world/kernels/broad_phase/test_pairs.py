@@ -1,15 +1,14 @@
 """Pairs of balls: room that runs out, numbers of cells, levels, and the order of what is found."""
 
-from math import inf, nan, nextafter
+from math import nextafter
 
 import numpy as np
 import pytest
 
 from carom import Ball, World
-from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL
 from carom.rows.index import CELL, SLOT
 from carom.rows.shape import SHAPE
-from carom.world.kernels.broad_phase.grid import cell_of, grid_size, level_of, pairs_by_grid, wrapped_size
+from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import (
     may_touch,
     measure_balls,
@@ -17,7 +16,7 @@ from carom.world.kernels.broad_phase.pairs import (
     pairs_by_quadtree,
     plant_ball_tree,
 )
-from tests.physics.kernel_calls import ball_rows, found_pairs, state_row
+from tests.kernel_calls import ball_rows, found_pairs, state_row
 
 CLUSTER = [(0.1 * k, 0.0, 1.0) for k in range(9)]
 
@@ -61,44 +60,6 @@ def test_a_world_grows_its_room_until_all_pairs_fit(phase: str) -> None:
     world.step(0.0)
     assert world.statistics.full_tests == 150 * 149 // 2
     assert (before != world.balls.position).any()
-
-
-def test_a_cell_holds_its_lower_border() -> None:
-    assert [cell_of(offset, 0.5) for offset in (0.0, 1.999, 2.0, -0.001, -2.0)] == [0, 0, 1, -1, -1]
-
-
-def test_cells_are_clamped_in_order() -> None:
-    most = int(CELL_CLAMP)
-    assert [cell_of(offset, 1.0) for offset in (-inf, -1e300, 1e300, inf)] == [-most, -most, most, most]
-    assert cell_of(nan, 1.0) == -most
-
-
-def test_a_level_s_cells_are_as_wide_as_its_balls() -> None:
-    side = 2.0 * CELL_SIDE
-    assert level_of(2.0, side) == 0
-    assert level_of(1.001, side) == 0
-    assert [level_of(2.0 * 0.5**k, side) for k in range(5)] == [0, 1, 2, 3, 4]
-    assert level_of(1e-300, side) == FINEST_LEVEL
-
-
-def test_a_small_box_is_numbered_densely_and_a_large_one_wraps() -> None:
-    size, stride, mask = grid_size(10.0, 6.0, 2.0, 100)
-    assert (size, stride, mask) == (8 * 7, 8, -1)
-    for width, height in ((1e9, 6.0), (6.0, 1e9), (inf, inf), (nan, nan)):
-        size, stride, mask = grid_size(width, height, 2.0, 100)
-        assert size == mask + 1 == 256
-        assert 3 <= stride < size - 3
-    assert wrapped_size(1_000_000)[0] <= 64 + 4_000_000
-
-
-def test_nine_cells_around_one_have_nine_numbers_however_they_wrap() -> None:
-    for count in (2, 50, 1000):
-        size, stride, mask = wrapped_size(count)
-        for centre in range(0, size, 7):
-            around = [(x + stride * y) & mask for x in (-1, 0, 1) for y in (-1, 0, 1)]
-            assert len({(centre + step) & mask for step in around}) == 9
-            # None of the four that follow is one of the four before, or a pair would be found twice.
-            assert len({(-step) & mask for step in around[5:]} & set(around[5:])) == 0
 
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])

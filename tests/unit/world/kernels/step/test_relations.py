@@ -1,17 +1,23 @@
-"""Passing: bare ends let balls by, joints do not, and a ball that was placed or pushed onto a shape is pushed out."""
+"""Relations: kept in lists of a pool; and passing: bare ends let balls by, joints do not, pushes go out."""
 
-from math import cos, pi, sin
+from math import pi
+from random import Random
 
 import numpy as np
 import pytest
 
 from carom import Arc, Ball, Gate, Segment, World
 from carom.constants import END_DEPTH_DISCRETE
-from carom.rows.kinds import depth_on_entry
-from carom.rows.pose import advance_pose
-from carom.rows.relation import PASSING
-from carom.world.kernels.step.narrow import is_between_ends, seen_from
-from carom.world.kernels.step.relations import find_relation
+from carom.rows.relation import INSIDE_SHAPE, NO_RELATION, PASSING, RELATION
+from carom.world.kernels.step.relations import (
+    add_relation,
+    drop_all,
+    drop_kind,
+    find_relation,
+    has_kind,
+    relations_room,
+)
+from tests.kernel_calls import ball_rows, state_row
 
 
 def is_passing(world: World, ball: Ball, shape: Segment | Arc) -> bool:
@@ -129,20 +135,6 @@ def test_a_ball_that_falls_onto_a_joint_of_arcs_bounces(inside: bool) -> None:
     assert ball.velocity[1] == pytest.approx(-vy, rel=0.05)
 
 
-def test_a_moved_ball_is_seen_from_a_shape_at_rest_where_it_is() -> None:
-    hand = Segment((0.1, 0.7), (3.3, 1.9), motion="kinematic", pivot=(0.3, 0.1))
-    advance_pose(hand._row, 0.1)
-    places = np.random.default_rng(1).uniform(-9, 9, (200, 2))
-    assert [seen_from(hand._row, x, y) for x, y in places.tolist()] == [tuple(place) for place in places.tolist()]
-
-
-def test_a_place_that_turns_and_travels_with_a_shape_is_seen_where_it_comes_to() -> None:
-    hand = Segment((1, 0), (3, 0), motion="kinematic", pivot=(1, 0), angular_velocity=pi, velocity=(2, -4))
-    advance_pose(hand._row, 0.5)
-    assert seen_from(hand._row, 3.0, 0.0) == pytest.approx((2, 0))
-    assert hand._row["by"] == pytest.approx(0)
-
-
 def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
     world = World(substeps=1)
     paddle = world.add(Segment((0, 0), (10, 0), motion="kinematic", velocity=(-1, 0)))
@@ -150,31 +142,6 @@ def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
     assert len(world.run(5, dt=0.1)) == 0
     assert is_passing(world, ball, paddle)
     assert ball.position == (-1, 0.5)
-
-
-def test_the_depth_on_entry_is_the_least_before_and_where_the_centre_crosses_an_edge() -> None:
-    wall = Segment((0, 0), (10, 0))._row
-    assert depth_on_entry(wall, 1.0, -1.0, 0.5, 3.0, 0.5) == pytest.approx(0.5)
-    assert depth_on_entry(wall, 1.0, -1.0, 2.0, 1.0, 0.0) == pytest.approx(-1)
-    assert depth_on_entry(wall, 1.0, 12.0, 0.5, 8.0, -1.5) == pytest.approx(0.5)
-    assert depth_on_entry(wall, 1.0, 12.0, 0.0, 8.0, 1.5) == pytest.approx(0.25)
-    arc = Arc((0, 0), 5, 0, pi / 2)._row
-    assert depth_on_entry(arc, 1.0, 5.0, -1e-9, 4.5, 1.0) == pytest.approx(1)
-    assert depth_on_entry(arc, 1.0, 5.0, -2.0, 5.0, 1.0) == pytest.approx(1 - (29**0.5 - 5))
-    assert depth_on_entry(arc, 1.0, -1.0, 5.5, 1.0, 4.5) == pytest.approx(1 - (31.25**0.5 - 5))
-    assert depth_on_entry(arc, 1.0, 3.0, -3.0, 3.0, 1.0) == pytest.approx(-1)
-    assert depth_on_entry(arc, 1.0, -1.0, -1.0, 1.0, 1.0) == pytest.approx(-4)
-
-
-def test_the_reach_of_an_arc_is_its_sector_and_that_of_a_segment_its_slab() -> None:
-    arc = Arc((1, 1), 5, pi / 4, 3 * pi / 4)._row
-    assert is_between_ends(arc, 1 + cos(pi / 4), 1 + sin(pi / 4), 0.1)
-    assert is_between_ends(arc, 1.0, 90.0, 0.1)
-    assert not is_between_ends(arc, 9.0, 2.0, 0.1)
-    wall = Segment((0, 0), (0, 4))._row
-    assert is_between_ends(wall, 7.0, 4.0, 0.1)
-    assert is_between_ends(wall, 0.0, 4.0000000001, 0.5)
-    assert not is_between_ends(wall, 0.0, 4.0000001, 0.5)
 
 
 def test_passing_pairs_are_state() -> None:
@@ -203,3 +170,31 @@ def test_a_gate_is_passed_round_its_bare_end_on_its_closed_side_too() -> None:
     assert len(world.run(4, dt=0.1)) == 0
     assert is_passing(world, ball, gate)
     assert ball.velocity == (1, 0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_relations_are_found_and_dropped_as_in_a_plain_set(seed: int) -> None:
+    random = Random(seed)
+    rows = ball_rows([(0.0, 0.0, 1.0)] * 3)
+    state, pool = state_row(rows, "grid", 1), np.zeros(200, RELATION)
+    state["free_relation"] = NO_RELATION
+    twin: set[tuple[int, int, int]] = set()
+    for _ in range(300):
+        ball, kind, other = random.randrange(3), random.choice((PASSING, INSIDE_SHAPE)), random.randrange(9)
+        do = random.choice(("add", "add", "drop", "drop", "drop all"))
+        if do == "add" and (ball, kind, other) not in twin:
+            add_relation(state, pool, rows[ball], ball, kind, other)
+            twin.add((ball, kind, other))
+        elif do == "drop":
+            drop_kind(state, pool, rows[ball], kind, other)
+            twin.discard((ball, kind, other))
+        elif do == "drop all" and random.random() < 0.1:
+            drop_all(state, pool, rows[ball], kind)
+            twin = {relation for relation in twin if relation[:2] != (ball, kind)}
+        held = {each for each in twin if find_relation(pool, rows[each[0]], *each[1:])}
+        assert held == twin
+        assert find_relation(pool, rows[ball], kind, other) == ((ball, kind, other) in twin)
+        assert has_kind(pool, rows[ball], kind) == any(each[:2] == (ball, kind) for each in twin)
+        assert (state["relations"], relations_room(state, pool)) == (len(twin), 100 - len(twin))
+    # Places that were given back are taken again.
+    assert state["relations_high"] <= 3 * 2 * 9

@@ -11,7 +11,7 @@ from carom.rows.index import CELL, NO_CHILD
 from carom.rows.shape import SHAPE
 from carom.world.kernels.broad_phase.pairs import plant_ball_tree
 from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, plant_root
-from tests.physics.kernel_calls import Ball, ball_rows, state_row
+from tests.kernel_calls import Ball, ball_rows, state_row
 
 
 def planted(balls: list[Ball], levels: int, room: int = 4096) -> tuple[np.ndarray, np.ndarray, int]:

@@ -1,0 +1,110 @@
+"""The end of a substep: friction, sleep, and relations that hold no more."""
+
+import numpy as np
+import pytest
+
+from carom import Ball, Segment, World
+from carom.rows.ball import OF_WORLD
+from carom.rows.hit import EXIT, HIT_ROW
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING
+from carom.rows.tables import Rows
+from carom.world.kernels.step.ending import finish_substep, still_holds, sweep_relations
+from carom.world.kernels.step.relations import add_relation, find_relation
+from carom.world.tables import Room
+from tests.kernel_calls import ball_rows, prepared, state_row
+from tests.worlds import world_of
+
+
+def moving_rows(speeds: list[float]) -> Rows:
+    """Balls that move at these speeds, in directions of their own, and have the world's friction."""
+    rows = ball_rows([(0.0, 0.0, 1.0)] * len(speeds))
+    angles = 1.0 + np.arange(len(speeds))
+    rows["vx"], rows["vy"], rows["friction"] = speeds * np.cos(angles), speeds * np.sin(angles), OF_WORLD
+    return rows
+
+
+def test_each_ball_loses_what_its_friction_or_the_worlds_takes() -> None:
+    rows = moving_rows([5.0, 5.0, 5.0, 0.4, 5.0])
+    rows["friction"][1:3] = 8.0, 0.0
+    rows["asleep"][4] = 1
+    before, state = rows.copy(), state_row(rows, "grid", 1)
+    state["friction"], state["braked"] = 2.0, 2
+    finish_substep(state, rows, 0.25)
+    lost = np.array([0.5, 2.0, 0.0, 0.4, 0.0])
+    speed = np.hypot(before["vx"], before["vy"])
+    assert np.hypot(rows["vx"], rows["vy"]) == pytest.approx(speed - lost)
+    assert rows["vx"] * before["vy"] == pytest.approx(rows["vy"] * before["vx"])
+
+
+def test_a_ball_falls_asleep_once_it_was_slow_for_long_enough_without_a_break() -> None:
+    rows = moving_rows([0.5, 0.5, 1.001])
+    state = state_row(rows, "grid", 1)
+    state["sleep_speed"], state["sleep_time"] = 1.0, 1.0
+    for step in range(5):
+        rows["vx"][1] = 2.0 if step == 2 else 0.5
+        finish_substep(state, rows, 0.25)
+        assert rows["asleep"].tolist() == [int(step >= 3), 0, 0]
+        assert state["sleeping"] == int(step >= 3)
+    assert rows["still_time"].tolist() == [1.0, 0.5, 0.0]
+    assert (rows["vx"][0], rows["vy"][0]) == (0.0, 0.0)
+
+
+def related(world: World, kind: int, other: int) -> Room:
+    """The tables of a world whose last ball has a relation to a row."""
+    room = prepared(world)
+    place = room.balls.count - 1
+    room.balls.rows["relation"] = -1
+    room.states[0]["free_relation"] = -1
+    add_relation(room.states[0], room.relations, room.balls.rows[place], place, kind, other)
+    return room
+
+
+@pytest.mark.parametrize(
+    ("kind", "y", "holds"),
+    [
+        (PASSING, 0.9, True),
+        (PASSING, 1.1, False),
+        (INSIDE_SHAPE, 0.9, True),
+        (INSIDE_SHAPE, 1.1, False),
+        (INSIDE_BALL, 2.44, True),
+        (INSIDE_BALL, 2.46, False),
+    ],
+)
+def test_a_relation_holds_as_long_as_what_it_is_to_is_overlapped(kind: int, y: float, holds: bool) -> None:
+    wall = Segment((0, 0), (9, 0), sensor=kind == INSIDE_SHAPE)
+    world = world_of(wall, Ball((0.0, 0.0), 1.5, sensor=True), Ball((0.5, y), 1.0))
+    room = related(world, kind, 0)
+    state, balls, shapes = room.states[0], room.balls.rows, room.shapes.rows
+    assert still_holds(state, balls, shapes, balls[1], kind, 0) == holds
+    sweep_relations(state, balls, shapes, room.hits.view(HIT_ROW), room.relations, 7.0)
+    assert find_relation(room.relations, balls[1], kind, 0) == holds
+    ended = not holds and kind != PASSING
+    assert state["hits"] == int(ended)
+    if ended:
+        hit = room.hits[0]
+        other = world.balls[0].id if kind == INSIDE_BALL else wall.id
+        assert (hit["time"], hit["kind"], hit["ball"], hit["shape"]) == (7.0, EXIT, world.balls[1].id, other)
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+@pytest.mark.parametrize("kind", [PASSING, INSIDE_SHAPE, INSIDE_BALL])
+def test_a_relation_ends_with_what_it_was_to_or_when_that_is_a_sensor_no_more(kind: int, detection: str) -> None:
+    wall = Segment((0, 0), (9, 0), sensor=kind == INSIDE_SHAPE)
+    other, ball = Ball((0.0, 0.0), 1.5, sensor=kind == INSIDE_BALL), Ball((0.5, 0.9), 1.0)
+    world = world_of(wall, other, ball, detection=detection)
+    room = related(world, kind, 0)
+    partner = room.balls.rows[0] if kind == INSIDE_BALL else room.shapes.rows[0]
+
+    def holds() -> bool:
+        """Whether it does now."""
+        return still_holds(room.states[0], room.balls.rows, room.shapes.rows, room.balls.rows[1], kind, 0)
+
+    assert holds()
+    for row in (partner, room.balls.rows[1]):
+        row["can_collide"] = 0
+        assert not holds()
+        row["can_collide"] = 1
+    partner["sensor"] = 1 - partner["sensor"]
+    assert not holds()
+    room.balls.rows[1]["sensor"] = 1
+    assert holds() == (kind != PASSING)
