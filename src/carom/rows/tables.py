@@ -53,6 +53,7 @@ class Numbered(TypedDict):
     """What the rows of shapes and balls have in common."""
 
     id: int
+    elasticity: float
     can_collide: int
     sensor: int
     layer: int

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Unpack
+from typing import Literal, TypeAlias, Unpack
 
 from carom.checks import number, pair, positive, refuse
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
 from carom.rows.pose import derive
-from carom.rows.shape import ARC
-from carom.rows.tables import Row
+from carom.rows.shape import ARC, ShapeRow
+from carom.shapes.mover import Geometry
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import Pair, Vector
+
+AngleName: TypeAlias = Literal["start_angle", "end_angle"]
 
 
 @spelled
@@ -50,7 +52,7 @@ class Arc(RoundShape):
     def __repr__(self) -> str:
         return f"Arc({self.center}, {self.radius}, {self.start_angle}, {self.end_angle})"
 
-    def _check(self, row: Row, name: str, value: object) -> None:
+    def _check(self, row: ShapeRow, name: str, value: object) -> None:
         super()._check(row, name, value)
         if row["ax"] == row["bx"] and row["ay"] == row["by"]:
             raise refuse(name, "must leave the two ends apart", value)
@@ -77,12 +79,14 @@ class Arc(RoundShape):
     def end_angle(self, value: float) -> None:
         self._set_angle("end_angle", value, "start_angle")
 
-    def _set_angle(self, name: str, value: float, other: str) -> None:
+    def _set_angle(self, name: AngleName, value: float, other: AngleName) -> None:
         """Set the angle `name`, which must not become the `other` one."""
         angle, across = normalize_angle(number(name, value)), float(self._row[other])
         if angle == across:
             raise refuse(name, f"must point another way than {other}={across!r} (`angles` sets both at once)", value)
-        self._set_geometry(name, value, **{name: angle})
+        geometry: Geometry = {}
+        geometry[name] = angle
+        self._set_geometry(name, value, **geometry)
 
     @property
     def angles(self) -> tuple[float, float]:
@@ -158,8 +162,9 @@ class Arc(RoundShape):
     def complement(self) -> Arc:
         """The rest of the circle, as a new arc of the same surface and motion, in no world and no compound."""
         row = self._lone_row()
-        for start, end in (("start_angle", "end_angle"), ("initial_start_angle", "initial_end_angle")):
-            row[start], row[end] = float(row[end]), float(row[start])
+        row["start_angle"], row["end_angle"] = self.end_angle, self.start_angle
+        start, end = float(row["initial_start_angle"]), float(row["initial_end_angle"])
+        row["initial_start_angle"], row["initial_end_angle"] = end, start
         derive(row)
         rest = Arc.__new__(Arc)
         rest._begin(row, None, None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypedDict, Unpack
 
 import numpy as np
 
@@ -12,21 +12,31 @@ from carom.geometry.aabb import circle_box
 from carom.geometry.circle import closest_on_circle
 from carom.geometry.response import exchanged, reflected, reflected_total, separated
 from carom.geometry.vector import dot
-from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
+from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD, BallRow
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import BALL_KIND, Motion
-from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
 from carom.shapes.shape import Shape
+from carom.shapes.table import put_fields
 from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import Pair, Restitution, Vector
 
 
+class BallGeometry(TypedDict, total=False):
+    """The fields of a row on which a ball's box and way depend."""
+
+    x: float
+    y: float
+    radius: float
+    vx: float
+    vy: float
+
+
 @spelled
-class Ball(Round):
+class Ball(Round[BallRow]):
     """A dynamic circle, which other shapes push about.
 
     `position` in length, `radius` in length (positive), `velocity` in length/s, `mass` in any unit (positive),
@@ -63,7 +73,7 @@ class Ball(Round):
         name: str | None = None,
         user: Any = None,
     ) -> None:
-        row = np.zeros(1, BALL)[0]
+        row: BallRow = np.zeros(1, BALL)[0]
         row["x"], row["y"] = pair("position", position)
         row["radius"] = positive("radius", radius)
         row["vx"], row["vy"] = pair("velocity", velocity)
@@ -81,18 +91,17 @@ class Ball(Round):
     def __repr__(self) -> str:
         return f"Ball({self.position}, {self.radius}, velocity={self.velocity}, mass={self.mass})"
 
-    def _lone_row(self) -> Row:
+    def _lone_row(self) -> BallRow:
         row = super()._lone_row()
         row["relation"] = NO_RELATION
         row["still_time"] = 0.0
         row["asleep"] = row["stray"] = 0
         return row
 
-    def _with(self, name: str, value: object, **fields: float) -> Row:
+    def _with(self, name: str, value: object, **fields: Unpack[BallGeometry]) -> BallRow:
         """A copy of the row with some fields changed; raises where the ball leaves the range of numbers."""
         row = self._row.copy()
-        for field, number in fields.items():
-            row[field] = number
+        put_fields(row, fields)
         _check(row, name, value)
         return row
 
@@ -151,7 +160,8 @@ class Ball(Round):
     @mass.setter
     @changing
     def mass(self, value: float) -> None:
-        self._put("mass", positive("mass", value))
+        self._row["mass"] = positive("mass", value)
+        self._change()
 
     @property
     def friction(self) -> float | None:
@@ -162,7 +172,8 @@ class Ball(Round):
     @friction.setter
     @changing
     def friction(self, value: float | None) -> None:
-        self._put("friction", _friction(value))
+        self._row["friction"] = _friction(value)
+        self._change()
 
     @property
     def asleep(self) -> bool:
@@ -235,7 +246,7 @@ def _friction(value: float | None) -> float:
     return OF_WORLD if value is None else non_negative("friction", value)
 
 
-def _check(row: Row, name: str, value: object) -> None:
+def _check(row: BallRow, name: str, value: object) -> None:
     """Raise where a ball's box or velocity is not finite, with argument `name` and its `value` to blame."""
     box = circle_box(float(row["x"]), float(row["y"]), float(row["radius"]))
     if not all(map(isfinite, (*box, row["vx"], row["vy"]))):

@@ -45,7 +45,8 @@ class Circle(RoundShape):
     @solid.setter
     @changing
     def solid(self, value: bool) -> None:
-        self._put("solid", flag("solid", value))
+        self._row["solid"] = flag("solid", value)
+        self._change()
 
     def closest_point(self, p: Pair) -> Vector:
         """The point of the perimeter that is nearest to `p`; the one at angle 0 where `p` is the centre."""

@@ -9,33 +9,23 @@ from typing import Any, Self
 from carom.checks import flag, layers, non_negative, pair, refuse, text_or_none
 from carom.geometry.vector import length
 from carom.rows.pose import set_initial
-from carom.rows.shape import KINEMATIC, Motion
-from carom.rows.tables import Row
+from carom.rows.shape import KINEMATIC, Motion, ShapeRow
 from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.detection import Contact
 from carom.shapes.group import Group
 from carom.shapes.point import Point
-from carom.shapes.shape import Shape
+from carom.shapes.shape import Shape, Surface
 from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import Pair, Vector
-
-#: What a compound may say for all parts about their surface.
-_SURFACE = ("elasticity", "kick", "sensor", "can_collide", "layer", "collides_with")
-
-#: The fields of a part that its compound says, besides its pose.
-_MOTION = (
-    *("angular_velocity", "rotating", "turn_limited", "turn_low", "turn_high", "velocity_x", "velocity_y"),
-    "time_left",
-)
 
 #: The attributes of a compound that are no user's.
 _OWN = ("_name", "_parts", "_surface", "user")
 
 
-def _surface(name: str, check: Callable[[str, Any], Any]) -> property:
+def _surface(name: Surface, check: Callable[[str, Any], Any]) -> property:
     """The property of a compound that sets `name`, once `check` has passed its value, on all of its parts."""
 
     def read(compound: Compound) -> Any:
@@ -113,10 +103,9 @@ class Compound(Group):
             velocity=velocity,
         )
         self._parts = [center_point]
-        self._surface: dict[str, Any] = {}
-        given = (elasticity, kick, sensor, can_collide, layer, collides_with)
-        for field, value in zip(_SURFACE, given, strict=True):
-            setattr(self, field, value)
+        self._surface: dict[Surface, Any] = {}
+        self.elasticity, self.kick, self.sensor, self.can_collide = elasticity, kick, sensor, can_collide
+        self.layer, self.collides_with = layer, collides_with
         self._name = text_or_none("name", name)
         self.user = user
         self._take("shapes[{}]", _listed(shapes))
@@ -163,7 +152,7 @@ class Compound(Group):
             for name, value in self._surface.items():
                 shape._put(name, value)
 
-    def _part_row(self, name: str, shape: Shape) -> Row:
+    def _part_row(self, name: str, shape: Shape) -> ShapeRow:
         """The row that `shape` has as a part of this compound; raises where it cannot be one."""
         if not isinstance(shape, Shape):
             raise refuse(name, "must be a Point, a Segment, a Gate, a Circle or an Arc", shape)
@@ -181,8 +170,9 @@ class Compound(Group):
         if center["time_left"] > 0.0:
             pivot = float(center["target_pivot_x"]), float(center["target_pivot_y"])
             shape._sent(row, shape, pivot, float(center["target_orientation"]), float(center["time_left"]))
-        for field in _MOTION:
+        for field in ("angular_velocity", "velocity_x", "velocity_y", "turn_low", "turn_high", "time_left"):
             row[field] = center[field]
+        row["rotating"], row["turn_limited"] = center["rotating"], center["turn_limited"]
         return shape._posed(row, name, shape)
 
     # -- who it is ---------------------------------------------------------------------------------------------------

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 from carom.checks import refuse
 from carom.geometry.overlap import overlap_ball
 from carom.geometry.vector import length
+from carom.rows.ball import BallRow
 from carom.rows.kinds import detect_contact
 from carom.rows.masks import may_collide
 from carom.rows.pose import acting_spin, surface_velocity
 from carom.rows.shape import BALL_KIND
-from carom.rows.tables import Row
 from carom.shapes.member import Member
 from carom.typing import Vector
 
@@ -39,11 +39,12 @@ class Contact:
     speed: float
 
 
-def _ball_row(value: Any) -> Row:
+def _ball_row(value: Any) -> BallRow:
     """The row of `value`, which must be a ball; otherwise raises `InvalidArgument`."""
     if not isinstance(value, Member) or value._KIND != BALL_KIND:
         raise refuse("ball", "must be a Ball", value)
-    return value._row
+    row: BallRow = value._row
+    return row
 
 
 def detect_shape(shape: Shape, ball: Ball) -> Contact | None:

@@ -8,8 +8,7 @@ from typing import Unpack
 from carom.checks import pair, refuse
 from carom.constants import ROUNDING
 from carom.geometry.vector import cross, unit
-from carom.rows.shape import GATE
-from carom.rows.tables import Row
+from carom.rows.shape import GATE, ShapeRow
 from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
@@ -47,7 +46,7 @@ class Gate(Segment):
     def __repr__(self) -> str:
         return f"Gate({self.p0}, {self.p1}, direction={self.direction})"
 
-    def _check(self, row: Row, name: str, value: object) -> None:
+    def _check(self, row: ShapeRow, name: str, value: object) -> None:
         super()._check(row, name, value)
         if fabs(cross(float(row["tx"]), float(row["ty"]), float(row["dx"]), float(row["dy"]))) <= ROUNDING:
             raise refuse(name, "must leave the gate's direction across the gate", value)

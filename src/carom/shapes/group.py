@@ -6,8 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from carom.checks import number, pair, positive
-from carom.rows.shape import Motion
-from carom.rows.tables import Row
+from carom.rows.shape import Motion, ShapeRow
 from carom.shapes.rails import (
     target_orientation,
     target_pivot,
@@ -124,12 +123,12 @@ class Group(Spelled):
         """Restore the initial geometry of all parts, and the initial pivot, bit for bit, and with them their place."""
         self._write([part._restored() for part in self._parts])
 
-    def _write(self, rows: list[Row]) -> None:
+    def _write(self, rows: list[ShapeRow]) -> None:
         """Write the checked rows of all parts."""
         for part, row in zip(self._parts, rows, strict=True):
             part._write(row)
 
-    def _forward(self, write: Callable[[Row, Any], None], value: Any) -> None:
+    def _forward(self, write: Callable[[ShapeRow, Any], None], value: Any) -> None:
         """Have `write` set `value` on all parts; the first one refuses before anything has changed."""
         for part in self._parts:
             write(part._row, value)

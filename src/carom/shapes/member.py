@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self
 
 import numpy as np
 
 from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.geometry.vector import length
 from carom.rows.shape import KIND_NAMES, Motion
-from carom.rows.tables import Row
 from carom.shapes.aabb import Aabb
 from carom.shapes.copies import add_attributes, added_attributes
-from carom.shapes.table import Home, Table
+from carom.shapes.table import Home, R, RowTable
 from carom.spelling import Spelled
 from carom.turns import changing
 from carom.typing import Pair, Vector
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from carom.shapes.detection import Contact
 
 
-class Member(Spelled, ABC):
+class Member(Spelled, ABC, Generic[R]):
     """A shape or ball: a view of the row `_row`, which is the only place where its state is.
 
     A world takes a member in with `_enter`, gives it back with `_leave`, and makes the object for a row that it
@@ -39,19 +38,19 @@ class Member(Spelled, ABC):
     _id: int | None
     _index: int
     _name: str | None
-    _table: Table
+    _table: RowTable[R]
     _world: Home | None
     user: Any
 
-    def _begin(self, row: Row, name: str | None, user: Any) -> None:
+    def _begin(self, row: R, name: str | None, user: Any) -> None:
         """Make this a lone member with a copy of `row`. The last thing that a constructor does."""
         self._stand_alone(row)
         self._name = name
         self.user = user
 
-    def _stand_alone(self, row: Row) -> None:
+    def _stand_alone(self, row: R) -> None:
         """Give the member a table of its own, with a copy of `row` in it."""
-        self._table = Table.of_one(self._DTYPE)
+        self._table = RowTable.of_one(self._DTYPE)
         self._table.rows[0] = row
         self._index = 0
         self._id = None
@@ -59,7 +58,7 @@ class Member(Spelled, ABC):
 
     # -- what a world calls ------------------------------------------------------------------------------------------
 
-    def _enter(self, world: Home, table: Table, index: int) -> None:
+    def _enter(self, world: Home, table: RowTable[R], index: int) -> None:
         """Copy the row to `table.rows[index]`, all but the `id`, which the world has written there.
 
         From here on the object is a view of that row, and `_change` calls `world._changed(self)`. The caller has made
@@ -78,7 +77,7 @@ class Member(Spelled, ABC):
         self._stand_alone(self._lone_row())
 
     @classmethod
-    def _of_row(cls, world: Home, table: Table, member_id: int, index: int = -1) -> Self:
+    def _of_row(cls, world: Home, table: RowTable[R], member_id: int, index: int = -1) -> Self:
         """The object for a row that is in `table` already; nothing is checked and the row is not touched.
 
         `index` may be left out where `table.index` finds rows by `_id`.
@@ -89,11 +88,11 @@ class Member(Spelled, ABC):
         return member
 
     @property
-    def _row(self) -> Row:
+    def _row(self) -> R:
         """The row, as a view that can be written to."""
         return self._table.row(self)
 
-    def _lone_row(self) -> Row:
+    def _lone_row(self) -> R:
         """A copy of the row as it would be outside of any world."""
         row = self._row.copy()
         row["id"] = 0
@@ -104,14 +103,9 @@ class Member(Spelled, ABC):
         if self._world is not None:
             self._world._changed(self)
 
-    def _write(self, row: Row) -> None:
+    def _write(self, row: R) -> None:
         """Make `row`, which was checked, the member's row, and tell the world."""
         self._table.write(self, row)
-        self._change()
-
-    def _put(self, field: str, value: object) -> None:
-        """Write one field, whose value was checked, and tell the world."""
-        self._row[field] = value
         self._change()
 
     # -- copies: lone, whatever the original is in; the copy of a world takes in those that were copied with it ------
@@ -134,7 +128,7 @@ class Member(Spelled, ABC):
         for attributes in added:
             add_attributes(self, attributes)
 
-    def _rejoin(self, world: Home, table: Table, member_id: int) -> None:
+    def _rejoin(self, world: Home, table: RowTable[R], member_id: int) -> None:
         """Make this, which need not have a state yet, the object of the row with that id, where its original was."""
         self._table, self._index, self._id, self._world = table, -1, member_id, world
 
@@ -173,7 +167,8 @@ class Member(Spelled, ABC):
     @elasticity.setter
     @changing
     def elasticity(self, value: float) -> None:
-        self._put("elasticity", non_negative("elasticity", value))
+        self._row["elasticity"] = non_negative("elasticity", value)
+        self._change()
 
     @property
     def sensor(self) -> bool:
@@ -183,7 +178,8 @@ class Member(Spelled, ABC):
     @sensor.setter
     @changing
     def sensor(self, value: bool) -> None:
-        self._put("sensor", flag("sensor", value))
+        self._row["sensor"] = flag("sensor", value)
+        self._change()
 
     @property
     def can_collide(self) -> bool:
@@ -193,7 +189,8 @@ class Member(Spelled, ABC):
     @can_collide.setter
     @changing
     def can_collide(self, value: bool) -> None:
-        self._put("can_collide", flag("can_collide", value))
+        self._row["can_collide"] = flag("can_collide", value)
+        self._change()
 
     @property
     def layer(self) -> int:
@@ -203,7 +200,8 @@ class Member(Spelled, ABC):
     @layer.setter
     @changing
     def layer(self, value: int) -> None:
-        self._put("layer", layers("layer", value))
+        self._row["layer"] = layers("layer", value)
+        self._change()
 
     @property
     def collides_with(self) -> int:
@@ -213,7 +211,8 @@ class Member(Spelled, ABC):
     @collides_with.setter
     @changing
     def collides_with(self, value: int) -> None:
-        self._put("collides_with", layers("collides_with", value))
+        self._row["collides_with"] = layers("collides_with", value)
+        self._change()
 
     @property
     @abstractmethod

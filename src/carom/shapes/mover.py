@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypedDict, Unpack
 
 import numpy as np
 
 from carom.checks import number, pair, positive, refuse
 from carom.rows.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
-from carom.rows.shape import KINEMATIC, SHAPE, Motion
-from carom.rows.tables import Row
+from carom.rows.shape import KINEMATIC, SHAPE, Motion, ShapeRow
 from carom.shapes.member import Member
 from carom.shapes.rails import (
     halt,
@@ -23,7 +22,7 @@ from carom.shapes.rails import (
     write_turn_limits,
     write_velocity,
 )
-from carom.shapes.table import Home, Table
+from carom.shapes.table import Home, RowTable, put_fields
 from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import MotionName, Pair, Vector
@@ -31,11 +30,25 @@ from carom.typing import MotionName, Pair, Vector
 if TYPE_CHECKING:
     from carom.shapes.compound import Compound
 
-#: What must be finite in every row: the geometry, and what follows from it.
-_GEOMETRY = ("left", "bottom", "right", "top", "cx", "cy", "ax", "ay", "bx", "by", "length", "pivot_x", "pivot_y")
+
+class Geometry(TypedDict, total=False):
+    """The fields of a row that make out its geometry, some of them for each kind."""
+
+    cx: float
+    cy: float
+    radius: float
+    solid: bool
+    ax: float
+    ay: float
+    bx: float
+    by: float
+    dx: float
+    dy: float
+    start_angle: float
+    end_angle: float
 
 
-class Mover(Member):
+class Mover(Member[ShapeRow]):
     """A member whose pose follows from its initial geometry, an orientation and a pivot; the rails of every `Shape`.
 
     What changes more than one field does so on a copy of the row, which is checked as a whole before it is written.
@@ -48,26 +61,28 @@ class Mover(Member):
 
     _compound: Compound | None
 
-    def _begin(self, row: Row, name: str | None, user: Any) -> None:
+    def _begin(self, row: ShapeRow, name: str | None, user: Any) -> None:
         super()._begin(row, name, user)
         # The copy of a compound claims the copies of its parts, maybe before they have a state.
         self._compound = getattr(self, "_compound", None)
 
     @classmethod
-    def _of_row(cls, world: Home, table: Table, member_id: int, index: int = -1) -> Self:
+    def _of_row(cls, world: Home, table: RowTable[ShapeRow], member_id: int, index: int = -1) -> Self:
         member = super()._of_row(world, table, member_id, index)
         member._compound = None
         return member
 
-    def _rejoin(self, world: Home, table: Table, member_id: int) -> None:
+    def _rejoin(self, world: Home, table: RowTable[ShapeRow], member_id: int) -> None:
         super()._rejoin(world, table, member_id)
         self._compound = getattr(self, "_compound", None)
 
     # -- changes -----------------------------------------------------------------------------------------------------
 
-    def _check(self, row: Row, name: str, value: object) -> None:
+    def _check(self, row: ShapeRow, name: str, value: object) -> None:
         """Raise where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
-        if not all(isfinite(row[field]) for field in _GEOMETRY):
+        box = row["left"], row["bottom"], row["right"], row["top"]
+        ends = row["ax"], row["ay"], row["bx"], row["by"], row["length"]
+        if not all(map(isfinite, (*box, *ends, row["cx"], row["cy"], row["pivot_x"], row["pivot_y"]))):
             raise refuse(name, "must leave the shape's place and box finite", value)
 
     def _refuse_part(self, name: str, value: object) -> None:
@@ -75,13 +90,13 @@ class Mover(Member):
         if self._compound is not None:
             raise refuse(name, "must be left to the compound that the shape is part of", value)
 
-    def _still_row(self) -> Row:
+    def _still_row(self) -> ShapeRow:
         """A copy of the row, at rest where it is if `move_to` has sent it somewhere."""
         row = self._row.copy()
         halt(row)
         return row
 
-    def _sent(self, row: Row, position: object, pivot: Vector, orientation: float, dt: float) -> Row:
+    def _sent(self, row: ShapeRow, position: object, pivot: Vector, orientation: float, dt: float) -> ShapeRow:
         """The row, set going to a pivot and an orientation; raises, `position` to blame, where it cannot be there."""
         send(row, pivot, orientation, dt)
         there = row.copy()
@@ -91,7 +106,7 @@ class Mover(Member):
         row["target_x"], row["target_y"] = there["cx"], there["cy"]
         return row
 
-    def _set_geometry(self, name: str, value: object, **fields: float) -> None:
+    def _set_geometry(self, name: str, value: object, **fields: Unpack[Geometry]) -> None:
         """Write fields of the current geometry, which becomes the initial one, or raise.
 
         A pivot that is the shape's position stays so.
@@ -99,8 +114,7 @@ class Mover(Member):
         self._refuse_part(name, value)
         row = self._still_row()
         centred = row["pivot_x"] == row["cx"] and row["pivot_y"] == row["cy"]
-        for field, new in fields.items():
-            row[field] = new
+        put_fields(row, fields)
         derive(row)
         if centred:
             row["pivot_x"], row["pivot_y"] = row["cx"], row["cy"]
@@ -108,7 +122,7 @@ class Mover(Member):
         set_initial(row)
         self._write(row)
 
-    def _moved(self, name: str, value: object, place: Vector, pivot: Vector | None) -> Row:
+    def _moved(self, name: str, value: object, place: Vector, pivot: Vector | None) -> ShapeRow:
         """A copy of the row moved to `place`, initial there, with its pivot at `pivot`, or at its position for None.
 
         Raises where that fails.
@@ -125,7 +139,7 @@ class Mover(Member):
         set_initial(row)
         return row
 
-    def _hung(self, name: str, value: object, x: float, y: float) -> Row:
+    def _hung(self, name: str, value: object, x: float, y: float) -> ShapeRow:
         """A copy of the row with its pivot at (x, y), and the shape as it stands initial; raises where that fails."""
         row = self._still_row()
         row["pivot_x"], row["pivot_y"] = x, y
@@ -133,7 +147,7 @@ class Mover(Member):
         set_initial(row)
         return row
 
-    def _turned(self, name: str, value: object, x: float, y: float, angle: float) -> Row:
+    def _turned(self, name: str, value: object, x: float, y: float, angle: float) -> ShapeRow:
         """A copy of the row with its initial geometry turned by `angle` about (x, y); raises where that fails.
 
         What has travelled since takes its initial geometry along, and its pivot has the same place in that until
@@ -150,7 +164,7 @@ class Mover(Member):
         row["orientation"] = angle
         return self._posed(row, name, value)
 
-    def _posed(self, row: Row, name: str, value: object) -> Row:
+    def _posed(self, row: ShapeRow, name: str, value: object) -> ShapeRow:
         """The row, put where its orientation and pivot say and as if at rest there; raises where that fails."""
         pose(row)
         self._check(row, name, value)
@@ -230,7 +244,7 @@ class Mover(Member):
         self._refuse_part("reset", self)
         self._write(self._restored())
 
-    def _restored(self) -> Row:
+    def _restored(self) -> ShapeRow:
         """A copy of the row at its initial geometry and pivot."""
         row = self._still_row()
         row["hinge_x"], row["hinge_y"] = row["initial_pivot_x"], row["initial_pivot_y"]

@@ -7,8 +7,7 @@ from typing import Any
 
 from carom.checks import flag, number, one_of, pair, refuse
 from carom.geometry.vector import rotated
-from carom.rows.shape import DYNAMIC, KINEMATIC, STATIC, Motion
-from carom.rows.tables import Row
+from carom.rows.shape import DYNAMIC, KINEMATIC, STATIC, Motion, ShapeRow
 from carom.typing import Vector
 
 _MOTIONS = {"static": STATIC, "kinematic": KINEMATIC}
@@ -23,13 +22,13 @@ def motion_value(value: Any) -> int:
     return _MOTIONS[one_of("motion", value, tuple(_MOTIONS))]
 
 
-def halt(row: Row) -> None:
+def halt(row: ShapeRow) -> None:
     """Let the row rest where it is, if `move_to` has sent it somewhere."""
     if row["time_left"] > 0.0:
         row["time_left"] = row["velocity_x"] = row["velocity_y"] = row["angular_velocity"] = 0.0
 
 
-def target_pivot(row: Row, x: float, y: float, orientation: float) -> Vector:
+def target_pivot(row: ShapeRow, x: float, y: float, orientation: float) -> Vector:
     """Where the row's pivot is to be so that its position is (x, y), turned to `orientation`."""
     dx = float(row["initial_cx"]) - float(row["hinge_x"])
     dy = float(row["initial_cy"]) - float(row["hinge_y"])
@@ -38,7 +37,7 @@ def target_pivot(row: Row, x: float, y: float, orientation: float) -> Vector:
     return x - dx, y - dy
 
 
-def target_orientation(row: Row, value: Any) -> float:
+def target_orientation(row: ShapeRow, value: Any) -> float:
     """The orientation that `value` asks for, or that the row has for None; raises where it cannot turn there."""
     if value is None:
         return float(row["orientation"])
@@ -51,7 +50,7 @@ def target_orientation(row: Row, value: Any) -> float:
     return orientation
 
 
-def send(row: Row, pivot: Vector, orientation: float, dt: float) -> None:
+def send(row: ShapeRow, pivot: Vector, orientation: float, dt: float) -> None:
     """Set the row's speeds so that it has this pivot and orientation after `dt` seconds; raises where they overflow."""
     halt(row)
     row["target_pivot_x"], row["target_pivot_y"] = x, y = pivot
@@ -59,11 +58,11 @@ def send(row: Row, pivot: Vector, orientation: float, dt: float) -> None:
     row["time_left"] = dt
     row["velocity_x"], row["velocity_y"] = (x - float(row["pivot_x"])) / dt, (y - float(row["pivot_y"])) / dt
     row["angular_velocity"] = (orientation - float(row["orientation"])) / dt
-    if not all(isfinite(row[field]) for field in ("velocity_x", "velocity_y", "angular_velocity")):
+    if not all(map(isfinite, (row["velocity_x"], row["velocity_y"], row["angular_velocity"]))):
         raise refuse("dt", "must be long enough for finite speeds", dt)
 
 
-def write_motion(row: Row, value: Any) -> None:
+def write_motion(row: ShapeRow, value: Any) -> None:
     """Make the row static or kinematic. A row that still moves, or has stops, cannot become static."""
     motion = motion_value(value)
     if motion == STATIC:
@@ -75,7 +74,7 @@ def write_motion(row: Row, value: Any) -> None:
     row["motion"] = motion
 
 
-def write_angular_velocity(row: Row, value: Any) -> None:
+def write_angular_velocity(row: ShapeRow, value: Any) -> None:
     """Set how fast the row turns, in rad/s."""
     angular_velocity = number("angular_velocity", value)
     if angular_velocity != 0.0:
@@ -84,14 +83,14 @@ def write_angular_velocity(row: Row, value: Any) -> None:
     row["angular_velocity"] = angular_velocity
 
 
-def write_rotating(row: Row, value: Any) -> None:
+def write_rotating(row: ShapeRow, value: Any) -> None:
     """Set whether the row's angular velocity acts."""
     rotating = flag("rotating", value)
     halt(row)
     row["rotating"] = rotating
 
 
-def write_velocity(row: Row, value: Any) -> None:
+def write_velocity(row: ShapeRow, value: Any) -> None:
     """Set how fast the row's pivot, and the shape with it, move."""
     x, y = pair("velocity", value)
     if x != 0.0 or y != 0.0:
@@ -100,7 +99,7 @@ def write_velocity(row: Row, value: Any) -> None:
     row["velocity_x"], row["velocity_y"] = x, y
 
 
-def write_turn_limits(row: Row, value: Any) -> None:
+def write_turn_limits(row: ShapeRow, value: Any) -> None:
     """Set the stops `(low, high)` of the row's orientation, or take them away with None.
 
     They must hold 0, the initial orientation to which `reset` goes back, and the orientation as it is.
@@ -119,7 +118,7 @@ def write_turn_limits(row: Row, value: Any) -> None:
     row["turn_limited"], row["turn_low"], row["turn_high"] = True, low, high
 
 
-def _need_kinematic(row: Row, name: str, value: Any) -> None:
+def _need_kinematic(row: ShapeRow, name: str, value: Any) -> None:
     """Raise where the row is static, for there the setting would silently do nothing."""
     if row["motion"] != KINEMATIC:
         raise refuse(name, "must not be set unless motion is 'kinematic'", value)

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from typing import Any
 
 from carom.checks import pair, positive, refuse
 from carom.geometry.circle import circle_contains, common_tangents, tangent_points
+from carom.rows.shape import ShapeRow
 from carom.shapes.member import Member
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
+from carom.shapes.table import R
 from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
-class Round(Member):
+class Round(Member[R]):
     """A member with a centre and a radius."""
 
     __slots__ = ()
@@ -46,7 +49,7 @@ class Round(Member):
         x0, y0, x1, y1 = found
         return (x0, y0), (x1, y1)
 
-    def common_tangents(self, circle: Round) -> tuple[Segment, Segment] | None:
+    def common_tangents(self, circle: Round[Any]) -> tuple[Segment, Segment] | None:
         """The two outer tangents in common with another circle, from touching point to touching point.
 
         The first is the one counterclockwise of the direction from this centre to the other's. None where one of the
@@ -60,13 +63,13 @@ class Round(Member):
         ax, ay, bx, by, cx, cy, dx, dy = found
         return Segment((ax, ay), (bx, by)), Segment((cx, cy), (dx, dy))
 
-    def common_tangent(self, circle: Round) -> Segment | None:
+    def common_tangent(self, circle: Round[Any]) -> Segment | None:
         """The first of the `common_tangents`: the one counterclockwise of the direction to the other's centre."""
         found = self.common_tangents(circle)
         return None if found is None else found[0]
 
 
-class RoundShape(Shape, Round):
+class RoundShape(Shape, Round[ShapeRow]):
     """A round member on rails: what circles and arcs share."""
 
     __slots__ = ()

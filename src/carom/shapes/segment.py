@@ -6,8 +6,7 @@ from typing import Unpack
 
 from carom.checks import pair, refuse
 from carom.geometry.line import closest_on_segment
-from carom.rows.shape import SEGMENT
-from carom.rows.tables import Row
+from carom.rows.shape import SEGMENT, ShapeRow
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
@@ -39,7 +38,7 @@ class Segment(Shape):
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.p0}, {self.p1})"
 
-    def _check(self, row: Row, name: str, value: object) -> None:
+    def _check(self, row: ShapeRow, name: str, value: object) -> None:
         super()._check(row, name, value)
         if row["length"] == 0.0:
             raise refuse(name, "must leave the two ends apart", value)

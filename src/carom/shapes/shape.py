@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 import inspect
-from typing import TYPE_CHECKING, Any, ClassVar, TypedDict
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias, TypedDict, Unpack
 
 import numpy as np
 
 from carom.checks import flag, layers, non_negative, pair, text_or_none
 from carom.rows.ball import ALL_LAYERS
 from carom.rows.pose import derive, set_initial
-from carom.rows.shape import SHAPE, Motion
-from carom.rows.tables import Row
+from carom.rows.shape import SHAPE, Motion, ShapeRow
 from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_shape
-from carom.shapes.mover import Mover
+from carom.shapes.mover import Geometry, Mover
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
+from carom.shapes.table import put_fields
 from carom.turns import changing
 from carom.typing import MotionName, Pair
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
+
+
+#: What a compound may say for all parts about their surface.
+Surface: TypeAlias = Literal["elasticity", "kick", "sensor", "can_collide", "layer", "collides_with"]
 
 
 class ShapeOptions(TypedDict, total=False):
@@ -75,15 +79,14 @@ class Shape(Mover):
 
     # -- construction ------------------------------------------------------------------------------------------------
 
-    def _create(self, name: str, value: object, options: ShapeOptions, **geometry: float) -> None:
+    def _create(self, name: str, value: object, options: ShapeOptions, **geometry: Unpack[Geometry]) -> None:
         """Finish the construction of a shape from the fields of its own geometry.
 
         Raises `InvalidArgument`, with argument `name` and its `value` to blame, where that geometry is impossible.
         """
-        row = np.zeros(1, SHAPE)[0]
+        row: ShapeRow = np.zeros(1, SHAPE)[0]
         row["kind"] = self._KIND
-        for field, number in geometry.items():
-            row[field] = number
+        put_fields(row, geometry)
         derive(row)
         self._check(row, name, value)
         label, user = self._fill(row, **options)
@@ -92,7 +95,7 @@ class Shape(Mover):
 
     def _fill(
         self,
-        row: Row,
+        row: ShapeRow,
         *,
         elasticity: float = 1.0,
         kick: float = 0.0,
@@ -135,6 +138,11 @@ class Shape(Mover):
     @changing
     def kick(self, value: float) -> None:
         self._put("kick", non_negative("kick", value))
+
+    def _put(self, field: Surface, value: Any) -> None:
+        """Write one field, whose value was checked, and tell the world."""
+        self._row[field] = value
+        self._change()
 
     @property
     def aabb(self) -> Aabb:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from collections.abc import Mapping
+from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
-from carom.rows.tables import Row, Rows
+from carom.rows.tables import Numbered, Rows
 from carom.turns import Turn
+
+#: A row of shapes or of balls.
+R = TypeVar("R", bound=Numbered)
 
 
 class Owner(Protocol):
@@ -26,7 +30,7 @@ class Home(Protocol):
         """Called after a member's row was changed from outside, with the member."""
 
 
-class Table:
+class RowTable(Generic[R]):
     """Rows of one dtype, and which of them is whose. `rows` may be longer than what is in use.
 
     A world's table overrides `index`, where rows move: it finds the row of `owner._id`, or of `owner._index`.
@@ -38,7 +42,7 @@ class Table:
         self.rows = rows
 
     @classmethod
-    def of_one(cls, dtype: np.dtype[Any]) -> Table:
+    def of_one(cls, dtype: np.dtype[Any]) -> Self:
         """A table of one row, all zeros."""
         return cls(np.zeros(1, dtype))
 
@@ -46,10 +50,17 @@ class Table:
         """The place of `owner`'s row in `rows`."""
         return owner._index
 
-    def row(self, owner: Owner) -> Row:
+    def row(self, owner: Owner) -> R:
         """`owner`'s row, as a view that can be written to."""
-        return self.rows[self.index(owner)]
+        row: R = self.rows[self.index(owner)]
+        return row
 
-    def write(self, owner: Owner, row: Row) -> None:
+    def write(self, owner: Owner, row: R) -> None:
         """Copy the fields of `row` into `owner`'s row."""
         self.rows[self.index(owner)] = row
+
+
+def put_fields(row: Any, fields: Mapping[str, object]) -> None:
+    """Write some fields of a row, which the caller's own types say that it has."""
+    for field, value in fields.items():
+        row[field] = value

@@ -13,10 +13,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
-from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR
+from carom.rows.query import (
+    AIM,
+    CAST_HIT,
+    CONTACT,
+    IN_BOX,
+    NEIGHBOR,
+    AimRow,
+    CastRow,
+    ContactRow,
+    NeighborRow,
+)
 from carom.shapes.detection import Contact
 from carom.typing import Vector
-from carom.world.plural import Plural
+from carom.world.plural import Plural, vector
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -106,13 +116,6 @@ class Answers(Plural[T]):
         """Which queries found something."""
         return np.asarray(self.view(np.ndarray)["shape"] != 0)
 
-    def _item(self, row: Any) -> T:
-        return self._object(self._world, row)
-
-    def _object(self, world: World, row: Any) -> T:
-        """The object for a row, or None for one that says that nothing was found."""
-        raise NotImplementedError
-
 
 class CastHits(Answers[CastHit | None]):
     """What many rays or circles touch first.
@@ -122,11 +125,11 @@ class CastHits(Answers[CastHit | None]):
 
     DTYPE = CAST_HIT
 
-    def _object(self, world: World, row: Any) -> CastHit | None:
+    def _object(self, world: World, row: CastRow) -> CastHit | None:
         if row["shape"] == 0:
             return None
-        shape, fraction, point, normal = row.item()
-        return CastHit(_member(world, shape), fraction, _vector(point), _vector(normal))
+        shape = _member(world, row["shape"])
+        return CastHit(shape, float(row["fraction"]), vector(row["point"]), vector(row["normal"]))
 
 
 class Neighbors(Answers[Neighbor | None]):
@@ -134,11 +137,10 @@ class Neighbors(Answers[Neighbor | None]):
 
     DTYPE = NEIGHBOR
 
-    def _object(self, world: World, row: Any) -> Neighbor | None:
+    def _object(self, world: World, row: NeighborRow) -> Neighbor | None:
         if row["shape"] == 0:
             return None
-        shape, distance, point = row.item()
-        return Neighbor(_member(world, shape), distance, _vector(point))
+        return Neighbor(_member(world, row["shape"]), float(row["distance"]), vector(row["point"]))
 
 
 class Contacts(Answers[Contact]):
@@ -146,9 +148,10 @@ class Contacts(Answers[Contact]):
 
     DTYPE = CONTACT
 
-    def _object(self, world: World, row: Any) -> Contact:
-        shape, ball, point, normal, setback, speed = row.item()
-        return Contact(_member(world, shape), _member(world, ball), _vector(point), _vector(normal), setback, speed)
+    def _object(self, world: World, row: ContactRow) -> Contact:
+        shape, ball = _member(world, row["shape"]), _member(world, row["ball"])
+        point, normal = vector(row["point"]), vector(row["normal"])
+        return Contact(shape, ball, point, normal, float(row["setback"]), float(row["speed"]))
 
 
 class InBoxes(Plural[Any]):
@@ -169,34 +172,28 @@ class Aims(Answers[Aim | None]):
 
     DTYPE = AIM
 
-    def _object(self, world: World, row: Any) -> Aim | None:
+    def _object(self, world: World, row: AimRow) -> Aim | None:
         if row["shape"] == 0:
             return None
-        ball, shape, start, ghost, distance, point, normal, direction, speed, other_direction, other_speed = row.item()
+        direction, other_direction = vector(row["direction"]), vector(row["other_direction"])
         return Aim(
-            _member(world, ball),
-            _member(world, shape),
-            _vector(start),
-            _vector(ghost),
-            distance,
-            _vector(point),
-            _vector(normal),
-            _vector(direction) if direction.any() else None,
-            speed,
-            _vector(other_direction) if other_direction.any() else None,
-            other_speed,
+            _member(world, row["ball"]),
+            _member(world, row["shape"]),
+            vector(row["start"]),
+            vector(row["ghost"]),
+            float(row["distance"]),
+            vector(row["point"]),
+            vector(row["normal"]),
+            direction if any(direction) else None,
+            float(row["speed"]),
+            other_direction if any(other_direction) else None,
+            float(row["other_speed"]),
         )
 
 
 def _member(world: World, member_id: int) -> Any:
     """The shape or ball with an id, which may have left the world since, if someone keeps it."""
-    member = world._object_of_hit(member_id, None)
+    member = world._object_of_hit(int(member_id), None)
     if member is None:
         raise LostObject(f"what has the id {member_id} has left the world; read these answers as arrays")
     return member
-
-
-def _vector(pair: Any) -> Vector:
-    """A pair of a row as a tuple of floats."""
-    x, y = pair
-    return float(x), float(y)

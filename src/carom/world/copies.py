@@ -11,7 +11,6 @@ from collections.abc import Container
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
-from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.world.departed import Departed
@@ -52,7 +51,7 @@ def shallow(state: dict[str, Any]) -> dict[str, Any]:
 def take_state(world: World, state: dict[str, Any]) -> None:
     """Make a new world the one that a state is of, with the objects in it."""
     for key, member in state["members"].items():
-        member._rejoin(world, world._room.balls if isinstance(member, Ball) else world._room.shapes, key)
+        member._rejoin(world, world._room.table_of(member), key)
     world._objects = dict(state["members"])
     world._added = dict(state["compounds"])
     read_snapshot(world, state["snapshot"])

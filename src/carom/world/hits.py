@@ -12,7 +12,7 @@ from carom.extras import needed
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
 from carom.rows.tables import Rows
 from carom.typing import Vector
-from carom.world.plural import Plural
+from carom.world.plural import Plural, vector
 
 if TYPE_CHECKING:
     import pyarrow
@@ -89,9 +89,7 @@ class Hits(Plural[Hit]):
 
     __str__ = __repr__
 
-    def _item(self, row: Any) -> Hit:
-        """The object for a row."""
-        world = self._world
+    def _object(self, world: World, row: Any) -> Hit:
         time, kind, ball, shape, point, normal, setback, speed, impulse = row.item()
         ball_object: Any = world._object_of_hit(ball, self._gone)
         shape_object: Any = world._object_of_hit(shape, self._gone)
@@ -100,8 +98,8 @@ class Hits(Plural[Hit]):
             HitKind(kind),
             ball_object,
             shape_object,
-            (float(point[0]), float(point[1])),
-            (float(normal[0]), float(normal[1])),
+            vector(point),
+            vector(normal),
             setback,
             speed,
             impulse,

@@ -13,7 +13,8 @@ from carom import checks
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL
 from carom.rows.shape import Motion
-from carom.rows.tables import Rows
+from carom.rows.state import StateRow
+from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
@@ -45,7 +46,7 @@ class Members:
     """The shapes and balls of a `World`: the objects, and the rows that they are views of."""
 
     _room: Room
-    _states: Rows
+    _states: Table[StateRow]
     _search: Search | None
 
     @property
@@ -61,7 +62,7 @@ class Members:
         self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
-        self._arguments: tuple[Rows, ...] | None = None
+        self._arguments: tuple[Any, ...] | None = None
         self._dt = -1.0
         self._lent: Rows | None = None
         self._turn = Turn()
@@ -146,7 +147,7 @@ class Members:
 
     def _enter(self, member: Shape | Ball) -> None:
         """Give a member a row at the end of its table, where there is room for it."""
-        table = self._room.balls if isinstance(member, Ball) else self._room.shapes
+        table = self._room.table_of(member)
         place = table.count
         table.rows[place]["id"] = self._next_ids(1)[0]
         table.count += 1
@@ -222,7 +223,7 @@ class Members:
             self._added.pop(members[0].id or 0, None)
             self._listed = []
             for member in members:
-                table = self._room.balls if isinstance(member, Ball) else self._room.shapes
+                table = self._room.table_of(member)
                 gone[table][table.index(member)] = True
         if leavers:
             self._remove(gone[self._room.balls], gone[self._room.shapes])

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
-from carom.rows.tables import Rows
+from carom.rows.tables import Rows, Table
+from carom.typing import Vector
 from carom.world.link import Link
 
 if TYPE_CHECKING:
@@ -99,4 +100,13 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
 
     def _item(self, row: Any) -> T:
         """The object for a row."""
+        return self._object(self._world, row)
+
+    def _object(self, world: World, row: Any) -> T:
+        """The object for a row of a world's; None for one that says that nothing was found."""
         raise NotImplementedError
+
+
+def vector(pair: Table[float]) -> Vector:
+    """A pair of a row as a tuple of floats."""
+    return float(pair[0]), float(pair[1])

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.rows.ball import BallRow
 from carom.rows.hit import EXIT, HIT_ROW
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION
-from carom.rows.tables import Row, Rows
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.tables import Numbered
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation
 from carom.world.tables import Room
@@ -24,7 +25,7 @@ def relations_in_order(room: Room) -> list[Relation]:
         for i in np.flatnonzero(balls["relation"] != NO_RELATION):
             place = int(balls[i]["relation"])
             while place != NO_RELATION:
-                relation = room.relations[place]
+                relation: RelationRow = room.relations[place]
                 found.append((int(relation["kind"]), int(i), int(relation["other"])))
                 place = int(relation["next"])
     return found
@@ -32,7 +33,7 @@ def relations_in_order(room: Room) -> list[Relation]:
 
 def set_relations(room: Room, relations: list[Relation]) -> None:
     """Replace all relations by these, which stand in the order of `relations_in_order`."""
-    state: Row = room.states[0]
+    state = room.states[0]
     state["relations"] = state["relations_high"] = 0
     state["free_relation"] = NO_RELATION
     room.balls.used["relation"] = NO_RELATION
@@ -64,7 +65,7 @@ def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_])
     set_relations(room, kept)
 
 
-def _exit(room: Room, ball: Row, other: Rows) -> None:
+def _exit(room: Room, ball: BallRow, other: Numbered) -> None:
     """Record that a ball left a sensor."""
     state = room.states[0]
     if state["hits"] >= len(room.hits):

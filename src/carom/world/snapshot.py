@@ -17,6 +17,7 @@ import numpy as np
 from carom.errors import SnapshotError
 from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
+from carom.rows.state import STATE
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -50,7 +51,7 @@ def _hash(payload: bytes) -> bytes:
 def _payload(world: World) -> bytes:
     """The arrays of a snapshot, one after the other."""
     room = world._room
-    state = room.states[:1].copy()
+    state = np.array([room.states[0]], STATE)
     state["balls"], state["shapes"] = room.balls.count, room.shapes.count
     state["wake"] = world._will_wake()
     for field in DERIVED:

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
 
 from carom.turns import having
 
 if TYPE_CHECKING:
     from carom.world.world import World
 
-COUNTERS = (
-    "box_tests",
-    "full_tests",
-    "collisions",
-    "strays",
-    "overlaps",
-    "sleeping",
-    "stalled",
-    "squeezed",
-    "slowed",
-)
+Counter: TypeAlias = Literal[
+    "box_tests", "full_tests", "collisions", "strays", "overlaps", "sleeping", "stalled", "squeezed", "slowed"
+]
+COUNTERS: tuple[Counter, ...] = get_args(Counter)
 
 
 class Statistics:
@@ -30,7 +23,7 @@ class Statistics:
     def __init__(self, world: World) -> None:
         self._world = world
 
-    def _count(self, name: str) -> int:
+    def _count(self, name: Counter) -> int:
         return int(self._world._states[0][name])
 
     @property

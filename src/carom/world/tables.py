@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows.ball import BALL, OF_WORLD
+from carom.rows.ball import BALL, OF_WORLD, BallRow
 from carom.rows.flight import FLIGHT
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.relation import NO_RELATION, RELATION
 from carom.rows.saved import SAVED
-from carom.rows.shape import KINEMATIC, SHAPE
-from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE
-from carom.rows.tables import Row, Rows
-from carom.shapes.table import Owner, Table
+from carom.rows.shape import BALL_KIND, KINEMATIC, SHAPE, ShapeRow
+from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE, StateRow
+from carom.rows.tables import Rows, Table
+from carom.shapes.table import Owner, R, RowTable
+
+if TYPE_CHECKING:
+    from carom.shapes.ball import Ball
+    from carom.shapes.shape import Shape
 
 
-class WorldTable(Table):
+class WorldTable(RowTable[R]):
     """The rows of all balls or of all shapes of a world. Ids ascend, so a row is found by its id wherever it moved."""
 
     __slots__ = ("count",)
@@ -79,9 +83,9 @@ class Room:
     """All arrays that a step's kernel works on, in the order of its arguments."""
 
     def __init__(self) -> None:
-        self.states = np.zeros(2, STATE)
-        self.balls = WorldTable(BALL)
-        self.shapes = WorldTable(SHAPE)
+        self.states: Table[StateRow] = np.zeros(2, STATE)
+        self.balls = WorldTable[BallRow](BALL)
+        self.shapes = WorldTable[ShapeRow](SHAPE)
         self.order = np.zeros(0, "i4")
         self.index = np.zeros(2, INDEX)
         self.cells = np.zeros(256, CELL)
@@ -95,7 +99,11 @@ class Room:
         self.flights = np.zeros(0, FLIGHT)
         self.queue = np.zeros(0, "i4")
 
-    def arguments(self) -> tuple[Rows, ...]:
+    def table_of(self, member: Shape | Ball) -> WorldTable[Any]:
+        """The table that has the rows of what is like a member."""
+        return self.balls if member._KIND == BALL_KIND else self.shapes
+
+    def arguments(self) -> tuple[Any, ...]:
         """The arguments of a step's kernel; that of the continuous mode has two more."""
         tables = (
             self.states,
@@ -214,7 +222,7 @@ def new_balls(
     return rows
 
 
-def clear_kernel_place(state: Row) -> None:
+def clear_kernel_place(state: StateRow) -> None:
     """Forget where an interrupted step was, so that the next one begins at its beginning."""
     for field in ("stage", "stage_entered", "substep", "iteration", "cursor", "pairs", "found", "steps_left"):
         state[field] = 0

@@ -14,7 +14,7 @@ from carom import Arc, Ball, Circle, Gate, Point, Segment, Shape
 from carom.rows.ball import BALL
 from carom.rows.shape import KIND_NAMES, SHAPE
 from carom.shapes import SHAPE_CLASSES
-from carom.shapes.table import Table
+from carom.shapes.table import RowTable
 from carom.turns import Turn
 from tests.worlds import row_bits
 
@@ -44,7 +44,7 @@ class Home:
 @each_member
 def test_in_a_world_it_is_a_live_view_of_its_row(member: Member) -> None:
     twin, home = copy.copy(member), Home()
-    table = Table(np.zeros(3, BALL if isinstance(twin, Ball) else SHAPE))
+    table = RowTable(np.zeros(3, BALL if isinstance(twin, Ball) else SHAPE))
     table.rows[2]["id"] = 42
     twin._enter(home, table, 2)
     assert (row_bits(twin), twin.id, twin.world) == (row_bits(member), 42, home)
@@ -62,7 +62,7 @@ def test_in_a_world_it_is_a_live_view_of_its_row(member: Member) -> None:
 @each_member
 def test_after_leaving_it_keeps_its_last_values(member: Member) -> None:
     twin, home = copy.copy(member), Home()
-    table = Table(np.zeros(1, BALL if isinstance(twin, Ball) else SHAPE))
+    table = RowTable(np.zeros(1, BALL if isinstance(twin, Ball) else SHAPE))
     table.rows[0]["id"] = 7
     twin._enter(home, table, 0)
     table.rows[0]["elasticity"] = 0.75
@@ -74,7 +74,7 @@ def test_after_leaving_it_keeps_its_last_values(member: Member) -> None:
 
 
 def test_what_only_a_world_knows_stays_there() -> None:
-    ball, table = Ball((0, 0), 1), Table(np.zeros(1, BALL))
+    ball, table = Ball((0, 0), 1), RowTable(np.zeros(1, BALL))
     ball._enter(Home(), table, 0)
     table.rows["asleep"], table.rows["still_time"], table.rows["relation"], table.rows["stray"] = 1, 3.0, 5, 1
     assert ball.asleep
@@ -87,7 +87,7 @@ def test_what_only_a_world_knows_stays_there() -> None:
 
 @each_member
 def test_an_object_for_a_row_that_is_there_already(member: Member) -> None:
-    table, home = Table(np.array([member._row])), Home()
+    table, home = RowTable(np.array([member._row])), Home()
     kind = Ball if isinstance(member, Ball) else SHAPE_CLASSES[int(table.rows[0]["kind"])]
     assert type(member) is kind
     view = kind._of_row(home, table, 5, 0)
@@ -115,7 +115,7 @@ def test_copies_are_lone_and_their_own(member: Member, copied: Any) -> None:
 
 def test_a_copy_of_what_is_in_a_world_is_lone() -> None:
     ball, home = Ball((0, 0), 1), Home()
-    ball._enter(home, Table(np.zeros(1, BALL)), 0)
+    ball._enter(home, RowTable(np.zeros(1, BALL)), 0)
     assert copy.deepcopy(ball).world is None
     assert copy.copy(ball).id is None
 

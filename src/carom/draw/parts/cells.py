@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from carom.draw.paint.painter import Painter
-    from carom.rows.tables import Row, Rows
+    from carom.rows.index import CellRow, IndexRow
+    from carom.rows.tables import Table
     from carom.world.world import World
 
 #: The edge of a cell, and the opacities of the least and of the fullest cells' areas.
@@ -79,20 +80,21 @@ def partition(scene: Scene, reach: float) -> Partition:
     return Partition(0, 0, ())
 
 
-def grid_cells(entry: Row, cells: Rows) -> Iterator[Cell]:
+def grid_cells(entry: IndexRow, cells: Table[CellRow]) -> Iterator[Cell]:
     """The cells of a grid that hold shapes."""
     side, columns = float(entry["side"]), int(entry["columns"])
-    for number, cell in enumerate(cells):
-        count = int(cell["end"] - cell["begin"])
+    for number in range(len(cells)):
+        count = int(cells[number]["end"] - cells[number]["begin"])
         if count:
             left = float(entry["left"]) + side * (number % columns)
             bottom = float(entry["bottom"]) + side * (number // columns)
             yield Cell(Aabb(left, bottom, left + side, bottom + side), count)
 
 
-def tree_cells(entry: Row, cells: Rows) -> Iterator[Cell]:
+def tree_cells(entry: IndexRow, cells: Table[CellRow]) -> Iterator[Cell]:
     """The leaves of a quadtree that hold shapes."""
-    for cell in cells:
+    for number in range(len(cells)):
+        cell = cells[number]
         count = int(cell["end"] - cell["begin"])
         if cell["child"] == NO_CHILD and count:
             x, y, parts = float(cell["x"]), float(cell["y"]), 0.5 ** int(cell["depth"])
