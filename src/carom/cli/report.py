@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rich import box
 from rich.console import Console, Group
-from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import BarColumn, Progress, ProgressColumn, TextColumn, TimeRemainingColumn
 from rich.table import Table
 from rich.text import Text
 
@@ -24,26 +24,22 @@ MOST_ROWS = 16
 PAUSE = 0.05
 
 
-class Bar:
-    """A progress bar on stderr, where that is a terminal: simulated time, speed against real time, time left."""
+class AnyBar:
+    """A progress bar on stderr, where that is a terminal."""
 
-    def __init__(self, name: str, steps: int, dt: float) -> None:
+    def __init__(self, *columns: ProgressColumn) -> None:
         console = Console(stderr=True)
-        self._dt = dt
         self._updated = 0.0
         self._progress = Progress(
             TextColumn("{task.description}", markup=False),
             BarColumn(bar_width=None),
-            TextColumn("{task.fields[time]}"),
-            TextColumn("{task.fields[speed]}", style="cyan"),
+            *columns,
             TimeRemainingColumn(),
             console=console,
             transient=True,
             expand=True,
             disable=not console.is_terminal,
         )
-        self._task = self._progress.add_task(name, total=steps, time="", speed="")
-        self._total = steps * dt
 
     def __enter__(self) -> Self:
         return self
@@ -52,12 +48,28 @@ class Bar:
         if not self._progress.disable:  # before rich 14.3 a bar that was never shown ends with an empty line
             self._progress.stop()
 
+    def _is_due(self) -> bool:
+        """Whether it is time for an update, which is made then."""
+        now = perf_counter()
+        due = now - self._updated >= PAUSE
+        if due:
+            self._updated = now
+        return due
+
+
+class Bar(AnyBar):
+    """The bar of a run: simulated time, speed against real time, time left."""
+
+    def __init__(self, name: str, steps: int, dt: float) -> None:
+        super().__init__(TextColumn("{task.fields[time]}"), TextColumn("{task.fields[speed]}", style="cyan"))
+        self._dt = dt
+        self._task = self._progress.add_task(name, total=steps, time="", speed="")
+        self._total = steps * dt
+
     def tell(self, steps: int, took: float) -> None:
         """Show that `steps` steps are made, in `took` seconds after the first."""
-        now = perf_counter()
-        if now - self._updated < PAUSE:
+        if not self._is_due():
             return
-        self._updated = now
         # Begun late, so that what the first step says of compiling does not mix with the bar.
         self._progress.start()
         self._progress.update(
@@ -68,37 +80,20 @@ class Bar:
         )
 
 
-class FilmBar:
-    """A progress bar on stderr, where that is a terminal: the frames of a film that are encoded."""
+class FilmBar(AnyBar):
+    """The bar of the frames of a film that are encoded."""
 
     def __init__(self, name: str) -> None:
-        console = Console(stderr=True)
-        self._updated = 0.0
-        self._progress = Progress(
-            TextColumn("{task.description}", markup=False),
-            BarColumn(bar_width=None),
-            TextColumn("{task.completed:,} of {task.total:,} frames"),
-            TimeRemainingColumn(),
-            console=console,
-            transient=True,
-            expand=True,
-            disable=not console.is_terminal,
-        )
+        super().__init__(TextColumn("{task.completed:,} of {task.total:,} frames"))
         self._task = self._progress.add_task(name, total=1)
 
     def __enter__(self) -> Self:
         self._progress.start()
         return self
 
-    def __exit__(self, *_: object) -> None:
-        if not self._progress.disable:  # before rich 14.3 a bar that was never shown ends with an empty line
-            self._progress.stop()
-
     def tell(self, done: int, total: int) -> None:
         """Show that `done` of `total` frames are encoded."""
-        now = perf_counter()
-        if now - self._updated >= PAUSE or done == total:
-            self._updated = now
+        if self._is_due() or done == total:
             self._progress.update(self._task, completed=done, total=total)
 
 

@@ -116,19 +116,11 @@ class Ball(Round[BallRow]):
     @position.setter
     @changing
     def position(self, value: Pair) -> None:
-        x, y = pair("position", value)
-        self._write(self._with("position", value, x=x, y=y))
+        self._put_at("position", value)
 
-    @property
-    def center(self) -> Vector:
-        """Where its centre is; the same as `position`."""
-        return self.position
-
-    @center.setter
-    @changing
-    def center(self, value: Pair) -> None:
-        x, y = pair("center", value)
-        self._write(self._with("center", value, x=x, y=y))
+    def _put_at(self, name: str, value: Pair) -> None:
+        x, y = pair(name, value)
+        self._write(self._with(name, value, x=x, y=y))
 
     @property
     def velocity(self) -> Vector:

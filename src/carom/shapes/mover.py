@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import isfinite
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypedDict, Unpack
 
@@ -254,6 +255,12 @@ class Mover(Member[ShapeRow]):
 
     # -- motion ------------------------------------------------------------------------------------------------------
 
+    def _set_motion(self, name: str, write: Callable[[ShapeRow, Any], None], value: Any) -> None:
+        """Have `write` check and write what was set of the shape's motion; parts of compounds refuse it."""
+        self._refuse_part(name, value)
+        write(self._row, value)
+        self._change()
+
     @spelled
     @changing
     def move_to(self, position: Pair, dt: float, orientation: float | None = None) -> None:
@@ -299,9 +306,7 @@ class Mover(Member[ShapeRow]):
     @motion.setter
     @changing
     def motion(self, value: MotionName | Motion) -> None:
-        self._refuse_part("motion", value)
-        write_motion(self._row, value)
-        self._change()
+        self._set_motion("motion", write_motion, value)
 
     @property
     def angular_velocity(self) -> float:
@@ -311,9 +316,7 @@ class Mover(Member[ShapeRow]):
     @angular_velocity.setter
     @changing
     def angular_velocity(self, value: float) -> None:
-        self._refuse_part("angular_velocity", value)
-        write_angular_velocity(self._row, value)
-        self._change()
+        self._set_motion("angular_velocity", write_angular_velocity, value)
 
     @property
     def rotating(self) -> bool:
@@ -323,9 +326,7 @@ class Mover(Member[ShapeRow]):
     @rotating.setter
     @changing
     def rotating(self, value: bool) -> None:
-        self._refuse_part("rotating", value)
-        write_rotating(self._row, value)
-        self._change()
+        self._set_motion("rotating", write_rotating, value)
 
     @property
     def turn_limits(self) -> tuple[float, float] | None:
@@ -336,9 +337,7 @@ class Mover(Member[ShapeRow]):
     @turn_limits.setter
     @changing
     def turn_limits(self, value: Pair | None) -> None:
-        self._refuse_part("turn_limits", value)
-        write_turn_limits(self._row, value)
-        self._change()
+        self._set_motion("turn_limits", write_turn_limits, value)
 
     @property
     def velocity(self) -> Vector:
@@ -349,9 +348,7 @@ class Mover(Member[ShapeRow]):
     @velocity.setter
     @changing
     def velocity(self, value: Pair) -> None:
-        self._refuse_part("velocity", value)
-        write_velocity(self._row, value)
-        self._change()
+        self._set_motion("velocity", write_velocity, value)
 
     def surface_velocity(self, p: Pair) -> Vector:
         """The velocity of the shape's matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""

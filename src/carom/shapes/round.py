@@ -22,9 +22,18 @@ class Round(Member[R]):
     __slots__ = ()
 
     @property
-    @abstractmethod
     def center(self) -> Vector:
         """The centre; the same as `position`."""
+        return self.position
+
+    @center.setter
+    @changing
+    def center(self, value: Pair) -> None:
+        self._put_at("center", value)
+
+    @abstractmethod
+    def _put_at(self, name: str, value: Pair) -> None:
+        """Move it so that its position is `value`, the argument `name`."""
 
     @property
     @abstractmethod
@@ -73,16 +82,6 @@ class RoundShape(Shape, Round[ShapeRow]):
     """A round member on rails: what circles and arcs share."""
 
     __slots__ = ()
-
-    @property
-    def center(self) -> Vector:
-        """The centre; the same as `position`."""
-        return self.position
-
-    @center.setter
-    @changing
-    def center(self, value: Pair) -> None:
-        self._put_at("center", value)
 
     @property
     def radius(self) -> float:
