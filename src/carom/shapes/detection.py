@@ -6,12 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom.checks import refuse
-from carom.geometry.overlap import overlap_ball
-from carom.geometry.vector import length
 from carom.rows.ball import BallRow
-from carom.rows.kinds import detect_contact
-from carom.rows.masks import may_collide
-from carom.rows.pose import acting_spin, surface_velocity
+from carom.rows.contact import contact_of_balls, contact_with_shape
 from carom.rows.shape import BALL_KIND
 from carom.shapes.member import Member
 from carom.typing import Vector
@@ -48,40 +44,21 @@ def _ball_row(value: Any) -> BallRow:
 
 
 def detect_shape(shape: Shape, ball: Ball) -> Contact | None:
-    """The contact of a ball with a shape that is no ball; a miss is None.
-
-    A gate yields one only where the ball's centre is on the closed side and the ball approaches. Masks and
-    `can_collide` hold; sensors are found like anything else.
-    """
-    body = _ball_row(ball)
-    row = shape._row
-    if not may_collide(row, body):
-        return None
-    x, y, radius = float(body["x"]), float(body["y"]), float(body["radius"])
-    spin = acting_spin(row)
-    # At the ball's centre: this serves only as a direction where centres coincide, and along the normal of a gate,
-    # where it is the same at the centre as at the point of contact.
-    surface_x, surface_y = surface_velocity(row, spin, x, y, 0.0)
-    wx, wy = float(body["vx"]) - surface_x, float(body["vy"]) - surface_y
-    found = detect_contact(row, x, y, radius, wx, wy)
-    if found is None:
-        return None
-    px, py, nx, ny, setback = found
-    surface_x, surface_y = surface_velocity(row, spin, px, py, 0.0)
-    speed = length(float(body["vx"]) - surface_x, float(body["vy"]) - surface_y)
-    return Contact(shape, ball, (px, py), (nx, ny), setback, speed)
+    """The contact of a ball with a shape that is no ball; a miss is None. Sensors are found like anything else."""
+    return _contact(shape, ball, contact_with_shape(shape._row, _ball_row(ball)))
 
 
 def detect_pair(first: Ball, second: Ball) -> Contact | None:
     """The contact of two balls, with the normal from the first to the second; a miss, or the same ball, is None."""
     other = _ball_row(second)
-    own = first._row
-    if first is second or not may_collide(own, other):
-        return None
-    wx, wy = float(other["vx"]) - float(own["vx"]), float(other["vy"]) - float(own["vy"])
-    x, y, radius = float(own["x"]), float(own["y"]), float(own["radius"])
-    found = overlap_ball(x, y, radius, float(other["x"]), float(other["y"]), float(other["radius"]), wx, wy)
+    return None if first is second else _contact(first, second, contact_of_balls(first._row, other))
+
+
+def _contact(
+    shape: Shape | Ball, ball: Ball, found: tuple[float, float, float, float, float, float] | None
+) -> Contact | None:
+    """The contact that was found, if there was one."""
     if found is None:
         return None
-    px, py, nx, ny, setback = found
-    return Contact(first, second, (px, py), (nx, ny), setback, length(wx, wy))
+    px, py, nx, ny, setback, speed = found
+    return Contact(shape, ball, (px, py), (nx, ny), setback, speed)

@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from carom.geometry.aabb import boxes_overlap
 from carom.geometry.boxes import box_meets_circle
-from carom.geometry.overlap import overlap_ball
-from carom.geometry.vector import length
 from carom.rows.ball import BallRow
-from carom.rows.kinds import detect_contact
+from carom.rows.contact import contact_of_balls, contact_with_shape
 from carom.rows.kinds_near import box_meets_shape
-from carom.rows.masks import may_collide
-from carom.rows.pose import acting_spin, surface_velocity
 from carom.rows.query import ContactRow, InBoxRow, QueryRow, SearchGrid, SearchGridRow
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
@@ -160,15 +156,13 @@ def touch_ball(query: QueryRow, balls: Table[BallRow], i: int, j: int, contacts:
     first, second = balls[i], balls[j]
     x1, y1, r1 = float(first["x"]), float(first["y"]), float(first["radius"])
     x2, y2, r2 = float(second["x"]), float(second["y"]), float(second["radius"])
-    if not (may_touch(x2 - x1, y2 - y1, r1 + r2) and is_seen(first, query) and may_collide(first, second)):
+    if not (may_touch(x2 - x1, y2 - y1, r1 + r2) and is_seen(first, query)):
         return count
-    wx, wy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
-    overlap = overlap_ball(x1, y1, r1, x2, y2, r2, wx, wy)
-    if overlap is None:
+    contact = contact_of_balls(first, second)
+    if contact is None:
         return count
-    px, py, nx, ny, setback = overlap
-    first_id, second_id = int(first["id"]), int(second["id"])
-    return write_contact(contacts, count, first_id, second_id, px, py, nx, ny, setback, length(wx, wy))
+    px, py, nx, ny, setback, speed = contact
+    return write_contact(contacts, count, int(first["id"]), int(second["id"]), px, py, nx, ny, setback, speed)
 
 
 def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table[ContactRow], count: int) -> int:
@@ -178,17 +172,12 @@ def touch_shape(query: QueryRow, shape: ShapeRow, ball: BallRow, contacts: Table
     left, bottom, right, top = float(shape["left"]), float(shape["bottom"]), float(shape["right"]), float(shape["top"])
     if not boxes_overlap(left, bottom, right, top, x - radius, y - radius, x + radius, y + radius):
         return count
-    if not (is_seen(shape, query) and may_collide(shape, ball)):
+    if not is_seen(shape, query):
         return count
-    vx, vy = float(ball["vx"]), float(ball["vy"])
-    spin = acting_spin(shape)
-    ux, uy = surface_velocity(shape, spin, x, y, 0.0)
-    overlap = detect_contact(shape, x, y, radius, vx - ux, vy - uy)
-    if overlap is None:
+    contact = contact_with_shape(shape, ball)
+    if contact is None:
         return count
-    px, py, nx, ny, setback = overlap
-    ux, uy = surface_velocity(shape, spin, px, py, 0.0)
-    speed = length(vx - ux, vy - uy)
+    px, py, nx, ny, setback, speed = contact
     return write_contact(contacts, count, int(shape["id"]), int(ball["id"]), px, py, nx, ny, setback, speed)
 
 
