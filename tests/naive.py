@@ -7,9 +7,11 @@ sectors; `margin` says how far away a meeting is from any edge at which an answe
 from collections.abc import Callable
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
 
-from carom.geometry import overlap
+from carom.geometry import overlap as overlaps
 from carom.geometry.arc import arc_ends
+from tests.flat import flat
 
+overlap = flat(overlaps)
 Contact = tuple[float, float, float, float, float]
 Figure = tuple[str, tuple[float, ...]]
 

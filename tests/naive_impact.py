@@ -11,10 +11,13 @@ from typing import Any
 
 import mpmath
 
-from carom.geometry import advance, impact
+from carom.geometry import advance as advances
+from carom.geometry import impact as impacts
 from carom.geometry.arc import arc_ends
 from tests import naive
+from tests.flat import flat
 
+advance, impact = flat(advances), flat(impacts)
 Figure = tuple[str, tuple[float, ...]]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import pi, sqrt
 
 from carom.geometry.impact import impact_point
+from carom.geometry.path import Path
 from docs.figures.sheet import BLUE, GREEN, RED, Sheet, figure, plus
 
 #: A throw over a post at 0, and the squared reach at which the ball touches it: start, velocity, gravity.
@@ -23,7 +24,7 @@ def impact_straight(sheet: Sheet) -> None:
     p, v, radius, q = (-2.6, 1.3), (4.0, -0.9), 1.0, (0.8, 0.0)
     px, py = p[0] - q[0], p[1] - q[1]
     b, speed_squared, k = px * v[0] + py * v[1], v[0] * v[0] + v[1] * v[1], px * v[1] - py * v[0]
-    time = impact_point(*q, *p, radius, *v, 0.0, 0.0, 10.0)
+    time = impact_point(*q, Path(*p, *v, 0.0, 0.0), radius, 10.0)
     assert time is not None
     assert abs(time - (-b - sqrt(speed_squared * radius * radius - k * k)) / speed_squared) < 1e-12
     touch = plus(p, v, time)
@@ -75,7 +76,7 @@ def impact_fall(sheet: Sheet) -> None:
     for t in turns:
         sheet.dot((scale_x * t, scale_y * away(t)), GREEN, 4.5)
         sheet.line((scale_x * t, 0.0), (scale_x * t, scale_y * away(t)), GREEN)
-    crossing = impact_point(0.0, 0.0, *p, sqrt(level), *v, 0.0, g, 10.0)
+    crossing = impact_point(0.0, 0.0, Path(*p, *v, 0.0, g), sqrt(level), 10.0)
     assert crossing is not None
     sheet.dot((scale_x * crossing, scale_y * level), RED, 4.5)
     sheet.label((scale_x * crossing, scale_y * level), "touch", 0.7, RED, 26)
@@ -132,7 +133,7 @@ def gap_turns(sheet: Sheet) -> None:
     sheet.path(places, BLUE, 2.0)
     radius = sqrt(LEVEL)
     sheet.circle((0.0, 0.0), radius)
-    time = impact_point(0.0, 0.0, *p, radius, *v, 0.0, g, 10.0)
+    time = impact_point(0.0, 0.0, Path(*p, *v, 0.0, g), radius, 10.0)
     assert time is not None
     touch = (p[0] + v[0] * time, p[1] + v[1] * time + 0.5 * g * time * time)
     sheet.ball(places[0], radius, ghost=True)

@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -72,10 +73,32 @@ def is_data(node: ast.stmt) -> bool:
     return isinstance(node, ast.ImportFrom) and node.module in DATA_MODULES
 
 
+@cache
+def groups() -> dict[str, set[str]]:
+    """The fields of each group of numbers that kernels hand on as one argument, by its name."""
+    return {
+        node.name: {ast.unparse(part.target) for part in node.body if isinstance(part, ast.AnnAssign)}
+        for path in kernel_files()
+        for node in tree(path).body
+        if isinstance(node, ast.ClassDef) and [ast.unparse(base) for base in node.bases] == ["NamedTuple"]
+    }
+
+
+def fields_read(function: ast.FunctionDef) -> Iterator[ast.Attribute]:
+    """The attributes in a function that are fields of its arguments: what else has some is no number."""
+    given = {argument.arg: ast.unparse(argument.annotation or ast.Constant(None)) for argument in function.args.args}
+    for node in ast.walk(function):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            group = given.get(node.value.id, "")
+            if isinstance(node.ctx, ast.Load) and node.attr in groups().get(group, set()):
+                yield node
+
+
 def refusals(module: ast.Module) -> list[str]:
     """What a kernel module does that it must not, each with its line."""
     module = ast.Module([node for node in module.body if not is_data(node)], [])
-    found = [(node, text) for node in ast.walk(module) for text in _faults(node)]
+    fields = [node for part in module.body if isinstance(part, ast.FunctionDef) for node in fields_read(part)]
+    found = [(node, text) for node in ast.walk(module) if node not in fields for text in _faults(node)]
     found += [
         (inner, "a nested function")
         for outer in ast.walk(module)
@@ -227,6 +250,13 @@ def test_signatures_that_are_not_plain_are_refused(signature: str) -> None:
 def test_what_kernels_are_made_of_is_not_refused() -> None:
     text = "from math import sqrt\ndef kernel(x: float, y: float) -> float | None:\n    return sqrt(x * x + y * y)\n"
     assert refusals(ast.parse(text)) == []
+
+
+def test_a_field_of_an_argument_may_be_read_and_no_other_attribute() -> None:
+    text = "def kernel(path: Path, x: float) -> float:\n    {}\n    return x\n"
+    assert refusals(ast.parse(text.format("x = path.gx"))) == []
+    for line in ("x = path.spin", "x = x.gx", "path.gx = x", "x = other.gx", "x = path.count(x)", "x = path.gx.real"):
+        assert refusals(ast.parse(text.format(line))) != []
 
 
 def test_indexing_an_optional_result_is_found() -> None:

@@ -1,18 +1,52 @@
 """Compiled, every function of geometry gives the same bits as interpreted."""
 
-import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
 import pytest
 
-from carom.geometry import aabb, angle, arc, circle, entry, line, overlap, response, vector
+from carom.geometry import (
+    aabb,
+    angle,
+    arc,
+    boxes,
+    circle,
+    crossing,
+    entry,
+    figures,
+    gap,
+    line,
+    overlap,
+    path,
+    reach,
+    response,
+    roots,
+    vector,
+)
 from tests.determinism.both_ways import functions, numba, register, result_bits
+from tests.flat import arguments, fields
 
 CASES = 300
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
-MODULES = (vector, angle, circle, line, arc, aabb, overlap, response, entry)
+MODULES = (
+    vector,
+    angle,
+    path,
+    figures,
+    circle,
+    line,
+    arc,
+    aabb,
+    boxes,
+    overlap,
+    gap,
+    response,
+    entry,
+    roots,
+    reach,
+    crossing,
+)
 #: Values that coincide, cancel, touch and overflow more often than random ones would.
 TELLING = (
     0.0,
@@ -44,14 +78,14 @@ def registered() -> None:
     register(MODULES)
 
 
-def arguments(function: Callable[..., Any], random: Random) -> tuple[float, ...]:
-    """Arguments for one call: random, telling, or a mixture."""
-    names = list(inspect.signature(function).parameters)
+def numbers(function: Callable[..., Any], random: Random) -> Iterator[float]:
+    """Numbers for one call: random, telling, or a mixture."""
     telling = random.choice((0.0, 0.5, 1.0))
-    values = [random.choice(TELLING) if random.random() < telling else random.uniform(-10.0, 10.0) for _ in names]
-    radii = {"radius", "r", "r1", "r2", "m1", "m2", "extent", "setback"}
-    values = [abs(value) + 1e-200 if name in radii else value for name, value in zip(names, values, strict=True)]
-    return tuple(int(value > 1.0) if name == "solid" else value for name, value in zip(names, values, strict=True))
+    for name, kind in fields(function).items():
+        value = random.choice(TELLING) if random.random() < telling else random.uniform(-10.0, 10.0)
+        if name.rpartition(".")[2] in {"radius", "r", "r1", "r2", "m1", "m2", "extent", "setback"}:
+            value = abs(value) + 1e-200
+        yield value > 1.0 if kind is bool else value
 
 
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: f"{function.__module__}.{function.__name__}")
@@ -59,5 +93,5 @@ def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -
     random = Random(function.__qualname__)
     compiled = numba.njit(function)
     for _ in range(CASES):
-        given = arguments(function, random)
+        given = arguments(function, numbers(function, random))
         assert list(result_bits(compiled(*given))) == list(result_bits(function(*given))), given

@@ -1,6 +1,5 @@
 """Compiled, times of impact, rays, touches of turning shapes and gaps are the same bits as interpreted."""
 
-import inspect
 from collections.abc import Callable
 from math import cos, pi, sin
 from random import Random
@@ -12,11 +11,13 @@ from carom.geometry import (
     advance,
     arc,
     circle,
+    figures,
     gap,
     impact,
     impact_fall,
     impact_straight,
     overlap,
+    path,
     ray,
     reach,
     roots,
@@ -24,10 +25,27 @@ from carom.geometry import (
     vector,
 )
 from tests.determinism.both_ways import functions, numba, register, result_bits
+from tests.flat import arguments, fields
 
 CASES = 3000
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
-MODULES = (vector, circle, arc, overlap, roots, reach, gap, impact_straight, impact_fall, impact, ray, turning, advance)
+MODULES = (
+    vector,
+    figures,
+    path,
+    circle,
+    arc,
+    overlap,
+    roots,
+    reach,
+    gap,
+    impact_straight,
+    impact_fall,
+    impact,
+    ray,
+    turning,
+    advance,
+)
 KINDS = ("point", "segment", "circle", "arc", "ball")
 DOORS = [
     roots.falling_time,
@@ -73,8 +91,8 @@ def scene(random: Random) -> dict[str, Any]:
     ends = (cx + extent * tx, cy + extent * ty, cx + extent * cos(end), cy + extent * sin(end))
     shape = dict(zip(("ax", "ay", "bx", "by"), ends, strict=True))
     turns = {"pivot_x": cx + 1.0, "pivot_y": cy, "pivot_vx": 0.1, "pivot_vy": 0.0, "spin": random.gauss(0.0, 1.0)}
-    other = {"x1": cx, "y1": cy, "vx1": 0.5, "vy1": 0.0, "r1": extent, "x2": ball["x"], "y2": ball["y"], "r2": radius}
-    rest = {"vx2": vx, "vy2": vy, "dx": vx * duration, "dy": vy * duration, "solid": random.choice((0, 1))}
+    other = {"first.x": cx, "first.y": cy, "first.vx": 0.5, "first.vy": 0.0, "first.gx": 0.0, "first.gy": 0.0}
+    rest = {"reach": extent + radius, "dx": vx * duration, "dy": vy * duration, "solid": random.random() < 0.5}
     names = {"cx": cx, "cy": cy, "qx": cx, "qy": cy, "r": extent, "tx": tx, "ty": ty, "extent": extent}
     polynomial = {name: random.gauss(0.0, 3.0) for name in ("c0", "c1", "c2", "c3", "height", "rate", "acceleration")}
     return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius, "wx": vx, "wy": vy}
@@ -85,13 +103,13 @@ def scene(random: Random) -> dict[str, Any]:
 def test_compiled_and_interpreted_bits_are_equal(function: Callable[..., Any]) -> None:
     random = Random(function.__name__)
     compiled = numba.njit(function)
-    names = list(inspect.signature(function).parameters)
+    names = list(fields(function))
     found = 0
     for _ in range(CASES):
         numbers = scene(random)
-        if names[:1] == ["ax"]:
-            numbers |= {"ax": numbers["cx"], "ay": numbers["cy"]}
-        given = tuple(numbers[name] for name in names)
+        numbers |= {"segment.ax": numbers["cx"], "segment.ay": numbers["cy"]}
+        values = (numbers.get(name, numbers.get(name.rpartition(".")[2])) for name in names)
+        given = arguments(function, values)
         result = function(*given)
         assert list(result_bits(compiled(*given))) == list(result_bits(result)), given
         found += result is not None

@@ -6,10 +6,11 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from carom.geometry import overlap
+from carom.geometry import overlap as overlaps
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import unit
 from tests import naive
+from tests.flat import flat
 from tests.strategies import (
     Ball,
     Figure,
@@ -26,6 +27,7 @@ from tests.strategies import (
     vectors,
 )
 
+overlap = flat(overlaps)
 Vector = tuple[float, float]
 #: Lengths; the figures of these tests are within 200 of the origin.
 ROUNDING = 1e-12

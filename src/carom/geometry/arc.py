@@ -9,7 +9,7 @@ from math import fabs
 
 from carom.constants import ROUNDING
 from carom.geometry.angle import direction, sweep
-from carom.geometry.circle import closest_on_circle
+from carom.geometry.figures import ArcGeometry
 from carom.geometry.vector import cross, dot, length_squared, unit
 
 
@@ -20,6 +20,7 @@ def in_sector(ax: float, ay: float, bx: float, by: float, x: float, y: float) ->
     the rounding of its direction from a ray lies on that ray, and the zero vector in every sector. Ends in the same
     direction, which rounding makes of the two ends of an arc that is all but a full circle, are a full circle.
     """
+    # A cross product's rounding error is within this of the product of the two vectors' lengths.
     size = ROUNDING * (fabs(x) + fabs(y))
     after_start = cross(ax, ay, x, y) >= -size * (fabs(ax) + fabs(ay))
     before_end = cross(x, y, bx, by) >= -size * (fabs(bx) + fabs(by))
@@ -49,10 +50,12 @@ def middle_direction(ax: float, ay: float, bx: float, by: float) -> tuple[float,
     return middle
 
 
-def arc_middle(cx: float, cy: float, radius: float, ax: float, ay: float, bx: float, by: float) -> tuple[float, float]:
-    """The point half-way along the arc about c from its end a to its end b."""
-    ux, uy = middle_direction(ax - cx, ay - cy, bx - cx, by - cy)
-    return cx + radius * ux, cy + radius * uy
+def arc_direction(ax: float, ay: float, bx: float, by: float, x: float, y: float) -> tuple[float, float]:
+    """The unit vector along (x, y), relative to an arc's centre; for the centre itself, to the arc's middle."""
+    direction = unit(x, y)
+    if direction is None:
+        return middle_direction(ax, ay, bx, by)
+    return direction
 
 
 def arc_length(radius: float, start_angle: float, end_angle: float) -> float:
@@ -76,18 +79,16 @@ def arc_tangents(start_angle: float, end_angle: float) -> tuple[float, float, fl
     return start_y, 0.0 - start_x, 0.0 - end_y, end_x
 
 
-def closest_on_arc(
-    cx: float, cy: float, radius: float, ax: float, ay: float, bx: float, by: float, x: float, y: float
-) -> tuple[float, float]:
-    """The point nearest to (x, y) on the arc about c from its end a to its end b.
+def closest_on_arc(arc: ArcGeometry, x: float, y: float) -> tuple[float, float]:
+    """The point nearest to (x, y) on an arc.
 
     It is an end itself where (x, y) is outside the sector (the first of two that are equally near), and the arc's
     middle for the centre, from which all points are equally far.
     """
-    if x == cx and y == cy:
-        return arc_middle(cx, cy, radius, ax, ay, bx, by)
+    cx, cy, r, ax, ay, bx, by = arc
     if in_sector(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy):
-        return closest_on_circle(cx, cy, radius, x, y)
+        ux, uy = arc_direction(ax - cx, ay - cy, bx - cx, by - cy, x - cx, y - cy)
+        return cx + r * ux, cy + r * uy
     if length_squared(x - bx, y - by) < length_squared(x - ax, y - ay):
         return bx, by
     return ax, ay

@@ -1,6 +1,6 @@
 """Whether a box along the axes and a shape have a point in common: `box_meets_<kind>`; touching counts.
 
-The box comes first, as `left, bottom, right, top`, then the shape's numbers. A point is `aabb.box_contains`.
+The box comes first, as `left, bottom, right, top`, then the shape. A point is `aabb.box_contains`.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from math import sqrt
 
 from carom.geometry.aabb import box_contains, boxes_overlap, segment_box
 from carom.geometry.arc import in_sector
+from carom.geometry.figures import ArcGeometry, CircleGeometry
 from carom.geometry.vector import cross, larger, smaller
 
 
@@ -20,6 +21,7 @@ def box_meets_segment(
     if not boxes_overlap(left, bottom, right, top, low_x, low_y, high_x, high_y):
         return False
     dx, dy = bx - ax, by - ay
+    # A cross product is above zero for a corner on one side of the line, and below it on the other.
     first, second = cross(dx, dy, left - ax, bottom - ay), cross(dx, dy, right - ax, bottom - ay)
     third, fourth = cross(dx, dy, right - ax, top - ay), cross(dx, dy, left - ax, top - ay)
     lowest = smaller(smaller(first, second), smaller(third, fourth))
@@ -27,54 +29,44 @@ def box_meets_segment(
     return lowest <= 0.0 <= highest
 
 
-def box_meets_circle(
-    left: float, bottom: float, right: float, top: float, cx: float, cy: float, radius: float, solid: int
-) -> bool:
-    """Whether the circle about c meets a box: its disc if it is solid, else its perimeter."""
+def box_meets_circle(left: float, bottom: float, right: float, top: float, circle: CircleGeometry) -> bool:
+    """Whether the circle meets a box: its disc if it is solid, else its perimeter."""
+    cx, cy, radius, solid = circle
     near_x = larger(larger(left - cx, cx - right), 0.0)
     near_y = larger(larger(bottom - cy, cy - top), 0.0)
     if not near_x * near_x + near_y * near_y <= radius * radius:
         return False
+    # A box that is nearer with its farthest corner too is inside of the perimeter.
     far_x = larger(cx - left, right - cx)
     far_y = larger(cy - bottom, top - cy)
-    return solid != 0 or far_x * far_x + far_y * far_y >= radius * radius
+    return solid or far_x * far_x + far_y * far_y >= radius * radius
 
 
-def box_meets_arc(
-    left: float,
-    bottom: float,
-    right: float,
-    top: float,
-    cx: float,
-    cy: float,
-    radius: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-) -> bool:
-    """Whether the arc about c from its end a to its end b meets a box: it ends inside, or crosses a side."""
+def box_meets_arc(left: float, bottom: float, right: float, top: float, arc: ArcGeometry) -> bool:
+    """Whether the arc meets a box: it ends inside, or crosses a side."""
+    cx, cy, r, ax, ay, bx, by = arc
     if box_contains(left, bottom, right, top, ax, ay) or box_contains(left, bottom, right, top, bx, by):
         return True
     left, bottom, right, top = left - cx, bottom - cy, right - cx, top - cy
     ax, ay, bx, by = ax - cx, ay - cy, bx - cx, by - cy
+    # A mirror that swaps the axes also swaps the ends, for it turns counterclockwise into clockwise.
+    seen, mirrored = ArcGeometry(0.0, 0.0, r, ax, ay, bx, by), ArcGeometry(0.0, 0.0, r, by, bx, ay, ax)
     return (
-        arc_meets_upright(left, bottom, top, radius, ax, ay, bx, by)
-        or arc_meets_upright(right, bottom, top, radius, ax, ay, bx, by)
-        # The same seen in a mirror that swaps the axes, and with them the ends.
-        or arc_meets_upright(bottom, left, right, radius, by, bx, ay, ax)
-        or arc_meets_upright(top, left, right, radius, by, bx, ay, ax)
+        arc_meets_upright(left, bottom, top, seen)
+        or arc_meets_upright(right, bottom, top, seen)
+        or arc_meets_upright(bottom, left, right, mirrored)
+        or arc_meets_upright(top, left, right, mirrored)
     )
 
 
-def arc_meets_upright(
-    x: float, low: float, high: float, radius: float, ax: float, ay: float, bx: float, by: float
-) -> bool:
-    """Whether the arc about 0 from a to b meets the upright line at `x` between the heights `low` and `high`."""
-    squared = (radius - x) * (radius + x)
-    if squared < 0.0:
+def arc_meets_upright(x: float, low: float, high: float, arc: ArcGeometry) -> bool:
+    """Whether an arc about 0 meets the upright line at `x` between the heights `low` and `high`."""
+    _, _, r, ax, ay, bx, by = arc
+    # r² - x² as a product, whose digits hold where the line all but touches the circle.
+    y_squared = (r - x) * (r + x)
+    if y_squared < 0.0:
         return False
-    y = sqrt(squared)
+    y = sqrt(y_squared)
     if low <= y <= high and in_sector(ax, ay, bx, by, x, y):
         return True
     return low <= -y <= high and in_sector(ax, ay, bx, by, x, -y)

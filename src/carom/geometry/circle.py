@@ -48,6 +48,7 @@ def tangent_points(cx: float, cy: float, radius: float, x: float, y: float) -> t
     if excess < 0.0 or direction is None:
         return None
     ux, uy = direction
+    # Ratios of lengths first, whose products neither vanish nor overflow.
     back = radius * (radius / distance)
     side = radius * (sqrt(excess) / distance)
     left, up = cx - back * ux, cy - back * uy
@@ -73,6 +74,7 @@ def common_tangents(
     distance = length(x2 - x1, y2 - y1)
     cosine = (r1 - r2) / distance
     sine = sqrt(excess) / distance
+    # n is û turned by the angle of that cosine, to either side; its sine is the tangent's length over d.
     nx, ny = cosine * ux - sine * uy, cosine * uy + sine * ux
     mx, my = cosine * ux + sine * uy, cosine * uy - sine * ux
     px, py, qx, qy = x1 + r1 * nx, y1 + r1 * ny, x2 + r2 * nx, y2 + r2 * ny
@@ -96,6 +98,7 @@ def power(x1: float, y1: float, x2: float, y2: float, r1: float, r2: float) -> f
     rr, rr_tail = exact_square(dr)
     plus, plus_tail = exact_difference(xx, -yy)
     head, head_tail = exact_difference(plus, rr)
+    # (d + tail)² is d² + 2·d·tail, but for the square of the tail, which is below the last of 30 digits.
     mixed = 2.0 * (dx * dx_tail + dy * dy_tail - dr * dr_tail)
     return head + (plus_tail + head_tail + (xx_tail + yy_tail - rr_tail) + mixed)
 

@@ -1,50 +1,45 @@
 """The gap between a ball and a shape, and the normal there: `gap_<kind>`.
 
-The shape's numbers come first, then the ball's centre `x, y`, its `radius`, and `wx, wy`, its velocity relative to the
-shape, which decides the normal where the centre lies on the shape. Each returns `(gap, nx, ny)`: how far the ball is
-from the shape, negative where they overlap, and the unit normal from the shape to the ball. One that lies beyond the
-ends of a segment by more than `slop` has no gap: None. A point is a solid circle of radius 0, an arc a circle that is
-not solid, where the ball is in its sector.
+The shape comes first, then the ball's centre `x, y`, its `radius`, and `wx, wy`, its velocity relative to the shape,
+which decides the normal where the centre lies on the shape. Each returns `(gap, nx, ny)`: how far the ball is from the
+shape, negative where they overlap, and the unit normal from the shape to the ball. One that lies beyond the ends of a
+segment by more than `slop` has no gap: None. A point is a solid circle of radius 0, an arc a circle that is not solid,
+where the ball is in its sector.
 """
 
 from __future__ import annotations
 
 from math import sqrt
 
-from carom.geometry.vector import dot, length
+from carom.geometry.figures import CircleGeometry, SegmentGeometry
+from carom.geometry.vector import cross, dot, length
 
 
 def gap_segment(
-    ax: float,
-    ay: float,
-    tx: float,
-    ty: float,
-    extent: float,
-    x: float,
-    y: float,
-    radius: float,
-    wx: float,
-    wy: float,
-    slop: float,
+    segment: SegmentGeometry, x: float, y: float, radius: float, wx: float, wy: float, slop: float
 ) -> tuple[float, float, float] | None:
-    """The gap to the segment of length `extent` from a along the unit vector t, on the side that the ball is on."""
+    """The gap to the segment, on the side that the ball is on."""
+    ax, ay, tx, ty, extent = segment
     dx, dy = x - ax, y - ay
     along = dot(dx, dy, tx, ty)
     if along < -slop or along > extent + slop:
         return None
-    side = tx * dy - ty * dx
-    if side < 0.0 or (side == 0.0 and tx * wy - ty * wx > 0.0):
+    side = cross(tx, ty, dx, dy)
+    # On the line the ball is on the side that it comes from, so that it goes on approaching.
+    if side < 0.0 or (side == 0.0 and cross(tx, ty, wx, wy) > 0.0):
         return -side - radius, ty, -tx
     return side - radius, -ty, tx
 
 
 def gap_circle(
-    cx: float, cy: float, r: float, solid: bool, x: float, y: float, radius: float, wx: float, wy: float
+    circle: CircleGeometry, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float]:
-    """The gap to the circle of radius r about c, from outside or, unless it is solid, from inside."""
+    """The gap to the circle, from outside or, unless it is solid, from inside."""
+    cx, cy, r, solid = circle
     dx, dy = x - cx, y - cy
     away = length(dx, dy)
     if away == 0.0:
+        # No direction is nearer than another; against the velocity the ball approaches what it meets.
         nx, ny = against(wx, wy)
         return (-r if solid else r) - radius, nx, ny
     if not solid and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0)):

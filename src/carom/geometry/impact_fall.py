@@ -1,11 +1,11 @@
 """Impacts of a ball that moves along a parabola, seen from the shape; None for a miss.
 
-The gap to a line is a quadratic in time. The squared distance |p + v·t + g·t²/2|² from a point is a quartic. It turns
-where the distance is least or greatest, at the roots of a cubic, which are enclosed between those of a quadratic; from
-one turn to the next it only falls or only rises, so the squared distances at the turns tell between which of them the
-ball touches. They are taken from the places there, not from the quartic's coefficients, and the quartic is set up anew
-from the nearer of the two turns: so no digits are lost to a ball that comes from far away. Most misses are seen before
-all this, by bounds that cost a few products.
+The gap to a line is a quadratic in time. The squared distance |p + v·t + g·t²/2|² from a point is a quartic,
+p² + 2(p·v)·t + (v² + p·g)·t² + (v·g)·t³ + g²·t⁴/4. It turns where the distance is least or greatest, at the roots of a
+cubic, which are enclosed between those of a quadratic; from one turn to the next it only falls or only rises, so the
+squared distances at the turns tell between which of them the ball touches. They are taken from the places there, not
+from the quartic's coefficients, and the quartic is set up anew from the nearer of the two turns: so no digits are lost
+to a ball that comes from far away. Most misses are seen before all this, by bounds that cost a few products.
 """
 
 from __future__ import annotations
@@ -13,47 +13,35 @@ from __future__ import annotations
 from math import fabs, inf, sqrt
 
 from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_CONTINUOUS, GRAZING
+from carom.geometry.figures import CentredArc
+from carom.geometry.path import Path, path_after, place_on
 from carom.geometry.reach import touch_in_sector, touch_in_slab, touches_arc
-from carom.geometry.roots import cubic_roots, falling_time, root_between
-from carom.geometry.vector import smaller
+from carom.geometry.roots import Quartic, cubic_roots, falling_time, root_between
+from carom.geometry.vector import dot, length_squared, smaller
 
 
-def fall_on_line(
-    side: float,
-    rate: float,
-    acceleration: float,
-    along: float,
-    along_rate: float,
-    along_acceleration: float,
-    extent: float,
-    radius: float,
-    duration: float,
-    slop: float,
-) -> float | None:
+def fall_on_line(path: Path, extent: float, radius: float, duration: float, slop: float) -> float | None:
     """When a ball touches a segment of length `extent`, on either side.
 
-    Its centre's distance from the line is side + rate·t + acceleration·t²/2, with `side` at least 0, and its foot on
-    the line, from the segment's first end, along + along_rate·t + along_acceleration·t²/2.
+    Its path is seen from the segment: x is along it, from its first end, and y off its line, at least 0 at first.
     """
+    along, side, along_rate, rate, along_acceleration, acceleration = path
     gap = side - radius
     if gap > 0.0:
         time = falling_time(gap, rate, acceleration)
     else:
         time = fall_from_overlap(gap, rate, acceleration, along_rate, radius, -slop <= along <= extent + slop)
     if time is not None and time <= duration:
-        touch = touch_in_slab(
-            0.0 + time, duration, gap, rate, acceleration, along, along_rate, along_acceleration, extent, slop, radius
-        )
+        touch = touch_in_slab(0.0 + time, duration, path, extent, slop, radius)
         if touch is not None:
             return touch
-    # Past an end it may get to the other side, and come back to the segment from there.
-    gap = -side - radius
-    time = fall_from_crest(gap, -rate, -acceleration, radius)
+    # Past an end it may get to the other side, and come back to the segment from there. On that side it begins below
+    # the line, so what it falls from is the crest of its path.
+    mirrored = Path(along, -side, along_rate, -rate, along_acceleration, -acceleration)
+    time = fall_from_crest(-side - radius, -rate, -acceleration, radius)
     if time is None or time > duration:
         return None
-    return touch_in_slab(
-        0.0 + time, duration, gap, -rate, -acceleration, along, along_rate, along_acceleration, extent, slop, radius
-    )
+    return touch_in_slab(0.0 + time, duration, mirrored, extent, slop, radius)
 
 
 def fall_from_overlap(
@@ -72,6 +60,7 @@ def fall_from_overlap(
         return 0.0
     time = falling_time(gap, rate, acceleration)
     if time is None and (beside or gap >= -END_DEPTH_CONTINUOUS * radius):
+        # It never gets clear; rate·t + acceleration·t²/2 is 0 again.
         return 2.0 * rate / (0.0 - acceleration)
     if time is None:
         return fall_from_crest(gap, rate, acceleration, radius)
@@ -84,64 +73,48 @@ def fall_from_crest(gap: float, rate: float, acceleration: float, radius: float)
         return None
     time = falling_time(gap, rate, acceleration)
     if time is None:
+        # The rate is 0 at t = -rate/acceleration, where the gap is gap - rate²/(2·acceleration).
         crest = gap - 0.5 * rate * (rate / acceleration)
         if crest >= -END_DEPTH_CONTINUOUS * radius:
             return rate / (0.0 - acceleration)
     return time
 
 
-def fall_on_disc(
-    px: float, py: float, reach: float, vx: float, vy: float, gx: float, gy: float, duration: float
-) -> float | None:
+def fall_on_disc(path: Path, reach: float, duration: float) -> float | None:
     """When the centre comes as near as `reach` to 0 from outside."""
-    if stays_apart(px, vx, gx, reach, duration) or stays_apart(py, vy, gy, reach, duration):
+    if stays_outside(path, reach, duration):
         return None
-    if stays_outside(px, py, reach, vx, vy, gx, gy, duration):
-        return None
-    return fall_time(px, py, 0.0, reach, True, 0.0, 0.0, 0.0, 0.0, 0.0, vx, vy, gx, gy, duration)
+    return fall_on_perimeter(path, 0.0, reach, duration)
 
 
-def fall_on_ring(
-    px: float, py: float, r: float, radius: float, vx: float, vy: float, gx: float, gy: float, duration: float
-) -> float | None:
+def fall_on_ring(path: Path, r: float, radius: float, duration: float) -> float | None:
     """When a ball whose centre is inside the circle of radius r about 0 touches it."""
-    if stays_inside(px, py, r - radius, vx, vy, gx, gy, duration):
+    if stays_inside(path, r - radius, duration):
         return None
-    return fall_time(px, py, r, radius, True, 0.0, 0.0, 0.0, 0.0, 0.0, vx, vy, gx, gy, duration)
+    return fall_on_perimeter(path, r, radius, duration)
 
 
-def fall_on_arc(
-    px: float,
-    py: float,
-    r: float,
-    radius: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    margin: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    duration: float,
-) -> float | None:
-    """When the ball touches the arc of radius r about 0 from a to b, whose sector is widened by `margin`."""
-    reach = r + radius
-    if px * px + py * py > r * r:
-        if stays_apart(px, vx, gx, reach, duration) or stays_apart(py, vy, gy, reach, duration):
+def fall_on_perimeter(path: Path, r: float, radius: float, duration: float) -> float | None:
+    """When the ball touches the circle of radius r about 0, from wherever it is."""
+    return fall_time(path, radius, CentredArc(r, 0.0, 0.0, 0.0, 0.0, 0.0), True, duration)
+
+
+def fall_on_arc(path: Path, radius: float, arc: CentredArc, duration: float) -> float | None:
+    """When the ball touches the arc."""
+    r = arc.r
+    if length_squared(path.x, path.y) > r * r:
+        if stays_outside(path, r + radius, duration):
             return None
-        if stays_outside(px, py, reach, vx, vy, gx, gy, duration):
-            return None
-    elif stays_inside(px, py, r - radius, vx, vy, gx, gy, duration):
+    elif stays_inside(path, r - radius, duration):
         return None
-    return fall_time(px, py, r, radius, False, ax, ay, bx, by, margin, vx, vy, gx, gy, duration)
+    return fall_time(path, radius, arc, False, duration)
 
 
 def stays_apart(p: float, v: float, g: float, reach: float, duration: float) -> bool:
     """Whether along one axis alone the centre stays farther than `reach` from 0."""
     if p < 0.0:
         p, v, g = -p, -v, -g
+    # Each of the terms v·t and g·t²/2 is least at one of the ends; so their sum is no less than the sum of the least.
     lowest = p - reach
     if v < 0.0:
         lowest += v * duration
@@ -150,33 +123,34 @@ def stays_apart(p: float, v: float, g: float, reach: float, duration: float) -> 
     return lowest > 0.0
 
 
-def stays_outside(
-    px: float, py: float, reach: float, vx: float, vy: float, gx: float, gy: float, duration: float
-) -> bool:
+def stays_outside(path: Path, reach: float, duration: float) -> bool:
     """Whether the centre clearly stays farther than `reach` from 0, or leaves from there for good."""
+    px, py, vx, vy, gx, gy = path
+    if stays_apart(px, vx, gx, reach, duration) or stays_apart(py, vy, gy, reach, duration):
+        return True
     height = px * px + py * py - reach * reach
     if height < -GRAZING * reach * reach:
         return False
-    # |p + v·t + g·t²/2|² without its fourth power, and with t³ replaced by t²·duration where it is negative.
+    # The squared distance without its fourth power, and with t³ replaced by t²·duration where it is negative.
     bend = vx * vx + vy * vy + px * gx + py * gy
-    drift = vx * gx + vy * gy
+    drift = dot(vx, vy, gx, gy)
     if drift < 0.0:
         bend += drift * duration
-    return stays_above(height, 2.0 * (px * vx + py * vy), bend, duration)
+    return stays_above(height, 2.0 * dot(px, py, vx, vy), bend, duration)
 
 
-def stays_inside(
-    px: float, py: float, room: float, vx: float, vy: float, gx: float, gy: float, duration: float
-) -> bool:
+def stays_inside(path: Path, room: float, duration: float) -> bool:
     """Whether the centre clearly stays nearer than `room` to 0."""
+    px, py, vx, vy, gx, gy = path
     height = room * room - (px * px + py * py)
     if room <= 0.0 or height < -GRAZING * room * room:
         return False
+    # Here it must not be taken for too small, so t⁴ is replaced by t²·duration², and t³ by t²·duration where positive.
     bend = vx * vx + vy * vy + px * gx + py * gy + 0.25 * (gx * gx + gy * gy) * duration * duration
-    drift = vx * gx + vy * gy
+    drift = dot(vx, vy, gx, gy)
     if drift > 0.0:
         bend += drift * duration
-    return stays_above(height, -2.0 * (px * vx + py * vy), -bend, duration)
+    return stays_above(height, -2.0 * dot(px, py, vx, vy), -bend, duration)
 
 
 def stays_above(height: float, rate: float, bend: float, duration: float) -> bool:
@@ -186,38 +160,28 @@ def stays_above(height: float, rate: float, bend: float, duration: float) -> boo
     end = height + (rate + bend * duration) * duration
     if not end > GRAZING * (height + (fabs(rate) + fabs(bend) * duration) * duration):
         return False
+    # Concave, rising from the start, or falling to the end: then it is least at one of the ends.
     if bend <= 0.0 or rate >= 0.0 or -rate >= 2.0 * bend * duration:
         return True
+    # Else it is least at t = -rate/(2·bend), where it is height - rate²/(4·bend).
     return 4.0 * bend * height - rate * rate > GRAZING * rate * rate
 
 
-def fall_time(
-    px: float,
-    py: float,
-    r: float,
-    radius: float,
-    whole: bool,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    margin: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    duration: float,
-) -> float | None:
-    """When the ball touches the circle of radius r about 0, the whole of it or the arc from a to b."""
+def fall_time(path: Path, radius: float, arc: CentredArc, whole: bool, duration: float) -> float | None:
+    """When the ball touches the arc, or the whole of its circle."""
+    px, py, _, _, _, _ = path
+    r = arc.r
     away = px * px + py * py
+    # A ball that overlaps now and leaves counts, if it never gets clear, when it is as near again as it is now.
     held = -1.0
-    if fabs(sqrt(away) - r) <= radius and (whole or touches_arc(px, py, r, radius, ax, ay, bx, by, margin)):
+    if fabs(sqrt(away) - r) <= radius and (whole or touches_arc(px, py, radius, arc)):
         held = away
-    falls, turn1, turn2, turn3 = distance_turns(px, py, vx, vy, gx, gy, duration)
+    falls, turn1, turn2, turn3 = distance_turns(path, duration)
     low = 0.0
     for high in (turn1, turn2, turn3, duration):
+        # A missing turn is at `duration`, and one from a standstill at 0: an empty stretch, after which the ball turns.
         if high > low:
-            x, y = px + (vx + 0.5 * gx * high) * high, py + (vy + 0.5 * gy * high) * high
+            x, y = place_on(path, high)
             end = x * x + y * y
             if falls:
                 level = outer_level(away, r, radius, held)
@@ -228,10 +192,10 @@ def fall_time(
             if meets:
                 time = low
                 if not at_once:
-                    time = level_time(px, py, vx, vy, gx, gy, level, low, high, falls)
+                    time = level_time(path, level, low, high, falls)
                 if whole:
                     return time
-                touch = touch_in_sector(time, high, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, gx, gy)
+                touch = touch_in_sector(time, high, path, radius, arc)
                 if touch is not None:
                     return touch
             low, away = high, end
@@ -248,6 +212,7 @@ def outer_level(away: float, r: float, radius: float, held: float) -> float:
     outer, shallow = r + radius, r + radius - END_DEPTH_CONTINUOUS * radius
     if away > outer * outer:
         return outer * outer
+    # It turned before it was clear.
     if held >= r * r:
         return held
     if away >= shallow * shallow:
@@ -267,51 +232,41 @@ def inner_level(away: float, r: float, radius: float, held: float) -> float:
     return inf
 
 
-def distance_turns(
-    px: float, py: float, vx: float, vy: float, gx: float, gy: float, duration: float
-) -> tuple[bool, float, float, float]:
+def distance_turns(path: Path, duration: float) -> tuple[bool, float, float, float]:
     """Whether the distance from 0 falls at first, and the three times at which it turns, `duration` if missing.
 
     They are the roots of p(t)·v(t). A ball that at first neither leaves nor approaches, to rounding, does neither.
     """
-    outward = px * vx + py * vy
-    speed_squared = vx * vx + vy * vy
+    px, py, vx, vy, gx, gy = path
+    outward = dot(px, py, vx, vy)
+    speed_squared = length_squared(vx, vy)
     if outward * outward <= APPROACH_ROUNDING_SQUARED * speed_squared * (px * px + py * py):
         outward = 0.0
-    drift, half = vx * gx + vy * gy, 0.5 * (gx * gx + gy * gy)
+    # (p + v·t + g·t²/2)·(v + g·t), by powers of t.
+    drift, half = dot(vx, vy, gx, gy), 0.5 * (gx * gx + gy * gy)
     bend = speed_squared + px * gx + py * gy
     turn1, turn2, turn3 = cubic_roots(half, 1.5 * drift, bend, outward, duration)
     return outward < 0.0, turn1, turn2, turn3
 
 
-def level_time(
-    px: float,
-    py: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    level: float,
-    low: float,
-    high: float,
-    falls: bool,
-) -> float:
+def level_time(path: Path, level: float, low: float, high: float, falls: bool) -> float:
     """When the squared distance, which falls from `low` to `high`, or rises, gets through `level` in between.
 
     The quartic is set up from the end where the ball is nearer: there its coefficients are small numbers.
     """
     base = high if falls else low
     width = high - low
-    x, y = px + (vx + 0.5 * gx * base) * base, py + (vy + 0.5 * gy * base) * base
-    wx, wy = vx + gx * base, vy + gy * base
-    c4, c3 = 0.25 * (gx * gx + gy * gy), wx * gx + wy * gy
-    c2, c1, c0 = wx * wx + wy * wy + x * gx + y * gy, 2.0 * (x * wx + y * wy), x * x + y * y - level
-    # Newton starts where the quadratic part alone crosses the level.
+    x, y, wx, wy, gx, gy = path_after(path, base)
+    c4, c3 = 0.25 * (gx * gx + gy * gy), dot(wx, wy, gx, gy)
+    c2, c1, c0 = wx * wx + wy * wy + x * gx + y * gy, 2.0 * dot(x, y, wx, wy), x * x + y * y - level
+    # Newton starts where the quadratic part alone crosses the level. Away from the base the distance grows, at first at
+    # the rate |c1|, from below the level, where c0 < 0: so that is at the positive root of c2·t² + |c1|·t + c0.
     slope = fabs(c1)
-    squared = slope * slope - 4.0 * c2 * c0
+    root_squared = slope * slope - 4.0 * c2 * c0
     guess = 0.5 * width
-    if squared > 0.0:
-        guess = -2.0 * c0 / (slope + sqrt(squared))
+    if root_squared > 0.0:
+        guess = -2.0 * c0 / (slope + sqrt(root_squared))
+    quartic = Quartic(c4, c3, c2, c1, c0)
     if falls:
-        return base + root_between(c4, c3, c2, c1, c0, -width, 0.0, False, -guess)
-    return smaller(base + root_between(c4, c3, c2, c1, c0, 0.0, width, True, guess), high)
+        return base + root_between(quartic, -width, 0.0, False, -guess)
+    return smaller(base + root_between(quartic, 0.0, width, True, guess), high)

@@ -2,7 +2,8 @@
 
 The ball's centre is p, relative to the shape's, its velocity v. With b = p·v and k = p × v, the line of motion passes
 the centre at the distance |k|/|v|, so it is |p| = R away at the times (-b ± √(v²R² - k²))/v². That discriminant loses
-no digits for a ball that is far away, unlike b² - v²(p² - R²), and neither of the two forms of each root does.
+no digits for a ball that is far away, unlike b² - v²(p² - R²), and neither of the two forms of each root does: the
+other one is (p² - R²)/(-b ∓ √(v²R² - k²)), since the product of the two roots is (p² - R²)/v².
 """
 
 from __future__ import annotations
@@ -10,111 +11,115 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_CONTINUOUS
+from carom.geometry.figures import CentredArc
+from carom.geometry.path import Path
 from carom.geometry.reach import touch_in_sector, touch_in_slab, touches_arc
-from carom.geometry.vector import smaller
+from carom.geometry.vector import cross, dot, length_squared, smaller
 
 
-def reach_disc(px: float, py: float, reach: float, vx: float, vy: float, duration: float) -> float | None:
+def reach_disc(path: Path, reach: float, duration: float) -> float | None:
     """When the centre comes as near as `reach` to 0 from outside."""
-    b = px * vx + py * vy
+    px, py, vx, vy, _, _ = path
+    b = dot(px, py, vx, vy)
     height = px * px + py * py - reach * reach
     # The squared distance is convex, so it stays above its tangent at the start.
     if b >= 0.0 or height + 2.0 * b * duration > 0.0:
         return None
-    speed_squared = vx * vx + vy * vy
-    k = px * vy - py * vx
-    squared = speed_squared * (reach * reach) - k * k
-    if not squared > 0.0:
+    speed_squared = length_squared(vx, vy)
+    k = cross(px, py, vx, vy)
+    root_squared = speed_squared * (reach * reach) - k * k
+    if not root_squared > 0.0:
         return None
     if height <= 0.0:
+        # It touches, where |p| is about `reach`, and approaches at -b/|p|; the rounding of a slide is no approach.
         if b * b <= APPROACH_ROUNDING_SQUARED * speed_squared * (reach * reach):
             return None
         return 0.0
-    time = height / (sqrt(squared) - b)
+    time = height / (sqrt(root_squared) - b)
     if time <= duration:
         return time
     return None
 
 
-def reach_bowl(px: float, py: float, room: float, vx: float, vy: float, duration: float) -> float | None:
+def reach_bowl(path: Path, room: float, duration: float) -> float | None:
     """When the centre, inside a circle, comes as far as `room` from 0, and the ball touches it from inside."""
-    b = px * vx + py * vy
-    speed_squared = vx * vx + vy * vy
-    # The squared distance is convex, so it is greatest at an end.
-    if room > 0.0 and px * px + py * py + (2.0 * b + speed_squared * duration) * duration < room * room:
+    if stays_within(path, room, duration):
         return None
-    time = bowl_time(px, py, room, vx, vy, b, speed_squared)
+    time = bowl_time(path, room)
     if time <= duration:
         return time
     return None
 
 
-def bowl_time(px: float, py: float, room: float, vx: float, vy: float, b: float, speed_squared: float) -> float:
-    """That time, however late; infinite for a ball at rest. `b` and `speed_squared` are p·v and v².
+def stays_within(path: Path, room: float, duration: float) -> bool:
+    """Whether the centre is nearer than `room` to 0 at the end, so that it has not got as far before."""
+    px, py, vx, vy, _, _ = path
+    # The squared distance is convex: once it has risen through a level it stays above.
+    rise = (2.0 * dot(px, py, vx, vy) + length_squared(vx, vy) * duration) * duration
+    return room > 0.0 and px * px + py * py + rise < room * room
+
+
+def bowl_time(path: Path, room: float) -> float:
+    """When the centre comes as far as `room` from 0, however late; infinite for a ball at rest.
 
     A ball that touches and slides goes on into the circle, so its impact is at 0. One that touches, to rounding or
     deeper, and leaves so flatly that it never gets clear, is as deep again after a chord.
     """
+    px, py, vx, vy, _, _ = path
+    b, speed_squared = dot(px, py, vx, vy), length_squared(vx, vy)
     if not speed_squared > 0.0:
         return inf
     height = px * px + py * py
-    squared = -1.0
+    root_squared = -1.0
     if room > 0.0:
-        k = px * vy - py * vx
-        squared = speed_squared * (room * room) - k * k
+        k = cross(px, py, vx, vy)
+        root_squared = speed_squared * (room * room) - k * k
     if room <= 0.0 or height >= room * room:
         if b >= 0.0 or b * b <= APPROACH_ROUNDING_SQUARED * speed_squared * height:
             return 0.0
-        if not squared > 0.0:
+        if not root_squared > 0.0:
+            # p² + 2·b·t + v²·t² is p² again.
             return -2.0 * b / speed_squared
-        return (sqrt(squared) - b) / speed_squared
+        return (sqrt(root_squared) - b) / speed_squared
     root = 0.0
-    if squared > 0.0:
-        root = sqrt(squared)
+    if root_squared > 0.0:
+        root = sqrt(root_squared)
+    # The later of the two roots, in the form that adds numbers of one sign.
     if b > 0.0:
         return (room * room - height) / (root + b)
     return (root - b) / speed_squared
 
 
-def reach_arc(
-    px: float,
-    py: float,
-    r: float,
-    radius: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    margin: float,
-    vx: float,
-    vy: float,
-    duration: float,
-) -> float | None:
-    """When the ball touches the arc of radius r about 0 from a to b, whose sector is widened by `margin`."""
-    b = px * vx + py * vy
-    speed_squared = vx * vx + vy * vy
+def reach_arc(path: Path, radius: float, arc: CentredArc, duration: float) -> float | None:
+    """When the ball touches the arc."""
+    px, py, vx, vy, _, _ = path
+    r = arc.r
+    b = dot(px, py, vx, vy)
+    speed_squared = length_squared(vx, vy)
     away = px * px + py * py
     room = r - radius
     if away > r * r or (away == r * r and b < 0.0):
-        time = reach_disc(px, py, r + radius, vx, vy, duration)
+        time = reach_disc(path, r + radius, duration)
         if time is None:
             return None
+        # It goes inwards until it is nearest to the centre, at p·v + v²·t = 0; then it is a matter of the inside.
         nearest = smaller(duration, -b / speed_squared)
-        touch = touch_in_sector(0.0 + time, nearest, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, 0.0, 0.0)
+        touch = touch_in_sector(0.0 + time, nearest, path, radius, arc)
         if touch is not None:
             return touch
     else:
         clear = room > 0.0 and away < room * room
-        if clear and away + (2.0 * b + speed_squared * duration) * duration < room * room:
+        if clear and stays_within(path, room, duration):
             return None
-        if clear or b >= 0.0 or touches_arc(px, py, r, radius, ax, ay, bx, by, margin):
-            late = bowl_time(px, py, room, vx, vy, b, speed_squared)
+        if clear or b >= 0.0 or touches_arc(px, py, radius, arc):
+            late = bowl_time(path, room)
             if not late <= duration:
                 return None
-            return touch_in_sector(late, duration, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, 0.0, 0.0)
+            return touch_in_sector(late, duration, path, radius, arc)
     # It passes through the gap, or passes already. It may touch the inside on its way out, or where it enters the
-    # sector after it has come all but clear, as a ball does that slides from a wall into a bowl.
-    k = px * vy - py * vx
+    # sector after it has come all but clear, as a ball does that slides from a wall into a bowl. Its line passes the
+    # centre at |k|/|v|; if that is more than `room`, it is least deep there, at the root 0.
+    k = cross(px, py, vx, vy)
     room_squared, shallow = room * room, room + END_DEPTH_CONTINUOUS * radius
     if room <= 0.0 or not k * k <= speed_squared * (shallow * shallow):
         return None
@@ -124,25 +129,19 @@ def reach_arc(
     if not root - b <= duration * speed_squared:
         return None
     across = (root - b) / speed_squared
-    return touch_in_sector(across, duration, px, py, r, radius, ax, ay, bx, by, margin, vx, vy, 0.0, 0.0)
+    return touch_in_sector(across, duration, path, radius, arc)
 
 
-def reach_line(
-    gap: float,
-    rate: float,
-    along: float,
-    along_rate: float,
-    extent: float,
-    radius: float,
-    duration: float,
-    slop: float,
-) -> float | None:
-    """When a ball touches a segment of length `extent`; its gap to the line shrinks: `rate` < 0."""
-    if rate * rate <= APPROACH_ROUNDING_SQUARED * along_rate * along_rate:
+def reach_line(path: Path, extent: float, radius: float, duration: float, slop: float) -> float | None:
+    """When a ball touches a segment of length `extent`; its path is seen from there, as `fall_on_line` has it."""
+    _, side, along_rate, rate, _, _ = path
+    # One that slides along the line approaches it by rounding alone.
+    if rate >= 0.0 or rate * rate <= APPROACH_ROUNDING_SQUARED * along_rate * along_rate:
         return None
+    gap = side - radius
     time = 0.0
     if gap > 0.0:
         time = gap / (0.0 - rate)
     if not time <= duration:
         return None
-    return touch_in_slab(0.0 + time, duration, gap, rate, 0.0, along, along_rate, 0.0, extent, slop, radius)
+    return touch_in_slab(0.0 + time, duration, path, extent, slop, radius)

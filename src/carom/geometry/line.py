@@ -36,6 +36,7 @@ def intersect_lines(
     offset = cross(qx - px, qy - py, vx, vy)
     if fabs(sine) * FARTHEST_CROSSING <= fabs(offset) or sine == 0.0:
         return None
+    # (p + s·u - q) × v = 0 at the crossing, so s = ((q - p) × v)/(u × v).
     along = offset / sine
     return px + along * ux, py + along * uy
 

@@ -1,6 +1,6 @@
 """Whether a ball overlaps a shape, and how: `overlap_<kind>` for each kind of shape.
 
-The shape's numbers come first, then the ball's centre `x, y` and `radius`, then `wx, wy`, the ball's velocity relative
+The shape comes first, then the ball's centre `x, y` and `radius`, then `wx, wy`, the ball's velocity relative
 to the shape's surface, which matters only where the normal has no direction of its own. Each returns `(px, py, nx, ny,
 setback)`: the point of contact on the shape, the unit normal from the shape to the ball, and how far the ball has to
 move along it to touch; or None where they do not overlap. Touching is no overlap. Opposites are taken as `0.0 - x`,
@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from math import fabs
 
-from carom.geometry.arc import in_sector, middle_direction
+from carom.geometry.arc import arc_direction, in_sector
+from carom.geometry.figures import ArcGeometry, CircleGeometry, SegmentGeometry
 from carom.geometry.vector import cross, dot, length, unit
 
 
@@ -28,14 +29,15 @@ def overlap_point(
 
 
 def overlap_segment(
-    ax: float, ay: float, tx: float, ty: float, extent: float, x: float, y: float, radius: float, wx: float, wy: float
+    segment: SegmentGeometry, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float, float, float] | None:
-    """The overlap of a ball with the segment of length `extent` from a along the unit vector t.
+    """The overlap of a ball with a segment.
 
     None where the ball's centre lies past an end. The normal is perp(t) or its opposite, whichever points to the
     ball, so no digit is lost as the centre comes close to the segment; on it, the ball is moved back against its
     velocity.
     """
+    ax, ay, tx, ty, extent = segment
     dx, dy = x - ax, y - ay
     along = dot(dx, dy, tx, ty)
     if along < 0.0 or along > extent:
@@ -49,28 +51,19 @@ def overlap_segment(
 
 
 def overlap_gate(
-    ax: float,
-    ay: float,
-    tx: float,
-    ty: float,
-    extent: float,
-    dx: float,
-    dy: float,
-    x: float,
-    y: float,
-    radius: float,
-    wx: float,
-    wy: float,
+    segment: SegmentGeometry, dx: float, dy: float, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float, float, float] | None:
-    """The overlap of a ball that knows no past with a gate, which lets balls pass in the direction d.
+    """The overlap of a ball that knows no past with a gate, a segment that lets balls pass in the direction d.
 
     That of a segment, where the ball's centre is on the side that d points to and the ball approaches the gate; None
     elsewhere, and for a centre on the gate itself.
     """
-    contact = overlap_segment(ax, ay, tx, ty, extent, x, y, radius, wx, wy)
+    contact = overlap_segment(segment, x, y, radius, wx, wy)
     if contact is None:
         return None
     px, py, nx, ny, setback = contact
+    ax, ay, tx, ty, _ = segment
+    # On the line the normal is against the velocity, so it does not tell the side.
     on_line = cross(tx, ty, x - ax, y - ay) == 0.0
     if on_line or dot(nx, ny, dx, dy) <= 0.0 or dot(wx, wy, nx, ny) >= 0.0:
         return None
@@ -78,51 +71,40 @@ def overlap_gate(
 
 
 def overlap_circle(
-    cx: float, cy: float, r: float, solid: int, x: float, y: float, radius: float, wx: float, wy: float
+    circle: CircleGeometry, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float, float, float] | None:
-    """The overlap of a ball with the circle of radius r about c: with its disc if it is solid, else its perimeter.
+    """The overlap of a ball with a circle: with its disc if it is solid, else its perimeter.
 
     A centre at c is as if it were on the side of angle 0; in a solid circle, it is moved back against its velocity.
     """
-    if solid != 0:
+    cx, cy, r, solid = circle
+    if solid:
         return overlap_ball(cx, cy, r, x, y, radius, wx, wy)
     dx, dy = x - cx, y - cy
-    ux, uy = direction_or(dx, dy, -1.0, 0.0)
-    return overlap_perimeter(cx, cy, r, ux, uy, length(dx, dy), radius, wx, wy)
+    ux, uy = direction_or(dx, dy, -1.0, 0.0)  # against (-1, 0) is angle 0
+    return overlap_perimeter(circle, ux, uy, length(dx, dy), radius, wx, wy)
 
 
 def overlap_arc(
-    cx: float,
-    cy: float,
-    r: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    x: float,
-    y: float,
-    radius: float,
-    wx: float,
-    wy: float,
+    arc: ArcGeometry, x: float, y: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float, float, float] | None:
-    """The overlap of a ball with the arc of radius r about c that runs counterclockwise from its end a to its end b.
+    """The overlap of a ball with an arc.
 
     None where the ball's centre is outside the arc's sector. A centre at c is as if it were on the side of the
     arc's middle.
     """
+    cx, cy, r, ax, ay, bx, by = arc
     dx, dy = x - cx, y - cy
     distance = length(dx, dy)
+    # The cheaper test first: most balls near an arc's box are inside or outside of its circle.
     if fabs(distance - r) >= radius:
         return None
     ax, ay, bx, by = ax - cx, ay - cy, bx - cx, by - cy
     if not in_sector(ax, ay, bx, by, dx, dy):
         return None
-    direction = unit(dx, dy)
-    if direction is None:
-        ux, uy = middle_direction(ax, ay, bx, by)
-    else:
-        ux, uy = direction
-    return overlap_perimeter(cx, cy, r, ux, uy, distance, radius, wx, wy)
+    # From here on an arc is its circle; the direction differs at the centre alone, which is in every sector.
+    ux, uy = arc_direction(ax, ay, bx, by, dx, dy)
+    return overlap_perimeter(CircleGeometry(cx, cy, r, False), ux, uy, distance, radius, wx, wy)
 
 
 def overlap_ball(
@@ -143,9 +125,10 @@ def overlap_ball(
 
 
 def overlap_perimeter(
-    cx: float, cy: float, r: float, ux: float, uy: float, distance: float, radius: float, wx: float, wy: float
+    circle: CircleGeometry, ux: float, uy: float, distance: float, radius: float, wx: float, wy: float
 ) -> tuple[float, float, float, float, float] | None:
     """The overlap of a ball, `distance` away from c in the unit direction u, with the perimeter of a circle about c."""
+    cx, cy, r, _ = circle
     side = distance - r
     gap = fabs(side)
     if gap >= radius:

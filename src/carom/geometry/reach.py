@@ -10,30 +10,21 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from carom.constants import END_DEPTH_CONTINUOUS
+from carom.geometry.figures import CentredArc
+from carom.geometry.path import Path, place_on
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot
 
 
-def touch_in_slab(
-    time: float,
-    duration: float,
-    gap: float,
-    rate: float,
-    acceleration: float,
-    along: float,
-    along_rate: float,
-    along_acceleration: float,
-    extent: float,
-    slop: float,
-    radius: float,
-) -> float | None:
+def touch_in_slab(time: float, duration: float, path: Path, extent: float, slop: float, radius: float) -> float | None:
     """When a ball that touches a segment's line at `time` touches the segment of length `extent`, or None.
 
-    Its gap to the line is gap + rate·t + acceleration·t²/2, and its foot on the line, from the segment's first end,
-    along + along_rate·t + along_acceleration·t²/2.
+    Its path is seen from the segment: x is along it, from its first end, and y off its line.
     """
+    along, side, along_rate, rate, along_acceleration, acceleration = path
     foot = along + (along_rate + 0.5 * along_acceleration * time) * time
     speed = along_rate + along_acceleration * time
+    # How far the foot is past an end falls through zero as it comes in.
     if foot < -slop:
         entry = falling_time(-slop - foot, -speed, -along_acceleration)
     elif foot > extent + slop:
@@ -43,8 +34,8 @@ def touch_in_slab(
     if entry is None:
         return None
     later = time + entry
-    depth = gap + (rate + 0.5 * acceleration * later) * later
-    if later <= duration and -END_DEPTH_CONTINUOUS * radius <= depth and rate + acceleration * later < 0.0:
+    gap = side - radius + (rate + 0.5 * acceleration * later) * later
+    if later <= duration and -END_DEPTH_CONTINUOUS * radius <= gap and rate + acceleration * later < 0.0:
         return later
     return None
 
@@ -54,6 +45,7 @@ def in_wide_sector(ax: float, ay: float, bx: float, by: float, x: float, y: floa
 
     All vectors are relative to the arc's centre; the lines are `margin` over the length of a, or b, beside the rays.
     """
+    # A cross product with a is the length of a times the distance from its ray's line.
     after_start = cross(ax, ay, x, y) >= -margin
     before_end = cross(x, y, bx, by) >= -margin
     turn = cross(ax, ay, bx, by)
@@ -67,52 +59,40 @@ def in_wide_sector(ax: float, ay: float, bx: float, by: float, x: float, y: floa
     return dot(ax, ay, bx, by) <= 0.0 or dot(x, y, ax + bx, ay + by) >= 0.0
 
 
-def touches_arc(
-    px: float, py: float, r: float, radius: float, ax: float, ay: float, bx: float, by: float, margin: float
-) -> bool:
+def in_arc(arc: CentredArc, x: float, y: float, widths: float) -> bool:
+    """Whether (x, y) is in an arc's sector, widened by so many times its slop."""
+    r, ax, ay, bx, by, slop = arc
+    return in_wide_sector(ax, ay, bx, by, x, y, widths * slop * r)
+
+
+def touches_arc(px: float, py: float, radius: float, arc: CentredArc) -> bool:
     """Whether a ball at p that overlaps the circle is not passing its arc: in the sector, or by the end depth alone."""
-    if radius - fabs(sqrt(px * px + py * py) - r) <= END_DEPTH_CONTINUOUS * radius:
+    if radius - fabs(sqrt(px * px + py * py) - arc.r) <= END_DEPTH_CONTINUOUS * radius:
         return True
-    return in_wide_sector(ax, ay, bx, by, px, py, margin)
+    return in_arc(arc, px, py, 1.0)
 
 
-def touch_in_sector(
-    time: float,
-    duration: float,
-    px: float,
-    py: float,
-    r: float,
-    radius: float,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    margin: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-) -> float | None:
-    """When a ball that touches the circle of radius r about 0 at `time` touches its arc from a to b, or None.
+def touch_in_sector(time: float, duration: float, path: Path, radius: float, arc: CentredArc) -> float | None:
+    """When a ball that touches an arc's circle at `time` touches the arc itself, or None.
 
-    It moves from p with v under g, and goes on in the same direction, in or out, until `duration` at most. `margin` is
-    that of `in_wide_sector`.
+    From then on it goes in one direction, in or out, until `duration` at most.
     """
-    x = px + (vx + 0.5 * gx * time) * time
-    y = py + (vy + 0.5 * gy * time) * time
-    if in_wide_sector(ax, ay, bx, by, x, y, margin):
+    x, y = place_on(path, time)
+    if in_arc(arc, x, y, 1.0):
         return time
+    r, ax, ay, bx, by, slop = arc
+    _, _, vx, vy, gx, gy = path
     wx, wy = vx + gx * time, vy + gy * time
-    past_start = falling_time(-margin - cross(ax, ay, x, y), -cross(ax, ay, wx, wy), -cross(ax, ay, gx, gy))
-    past_end = falling_time(-margin - cross(x, y, bx, by), -cross(wx, wy, bx, by), -cross(gx, gy, bx, by))
+    # How far it is outside of a ray's line, times r, falls through zero as it comes in; quadratic in time, as its way.
+    past_start = falling_time(-slop * r - cross(ax, ay, x, y), -cross(ax, ay, wx, wy), -cross(ax, ay, gx, gy))
+    past_end = falling_time(-slop * r - cross(x, y, bx, by), -cross(wx, wy, bx, by), -cross(gx, gy, bx, by))
     for entry in (past_start, past_end):
         if entry is not None:
             later = time + entry
-            x = px + (vx + 0.5 * gx * later) * later
-            y = py + (vy + 0.5 * gy * later) * later
+            x, y = place_on(path, later)
             overlap = radius - fabs(sqrt(x * x + y * y) - r)
             # It is on a line of the sector, so rounding would decide unless the sector is wider here.
-            inside = in_wide_sector(ax, ay, bx, by, x, y, 2.0 * margin)
+            inside = in_arc(arc, x, y, 2.0)
             if later <= duration and inside and fabs(overlap) <= END_DEPTH_CONTINUOUS * radius:
                 return later
     return None

@@ -19,10 +19,10 @@ def approach_at_contact(s: float, g_n: float, setback: float) -> float:
     gain = 2.0 * g_n * setback
     if s >= 0.0 or gain == 0.0:
         return s
-    squared = s * s + gain
-    if squared <= 0.0:
+    approach_squared = s * s + gain
+    if approach_squared <= 0.0:
         return 0.0
-    return -sqrt(squared)
+    return -sqrt(approach_squared)
 
 
 def reflected(
@@ -35,37 +35,22 @@ def reflected(
     e: float,
     approach: float,
     kick: float,
+    total: bool,
 ) -> tuple[float, float, float]:
-    """The velocity of a ball after a bounce that acts along the normal alone, and the speed gained along it.
+    """The velocity of a ball after a bounce, and the speed gained along the normal.
 
-    The normal part relative to the surface becomes `-e·approach + kick`, whatever it is now; the part along the
-    surface stays. `approach` is that at contact (`approach_at_contact`), `kick` the speed that the shape adds. The
-    third result is the impulse along the normal per unit of the ball's mass.
-    """
-    s = (vx - surface_vx) * nx + (vy - surface_vy) * ny
-    gain = kick - e * approach - s
-    return vx + gain * nx, vy + gain * ny, gain
-
-
-def reflected_total(
-    vx: float,
-    vy: float,
-    surface_vx: float,
-    surface_vy: float,
-    nx: float,
-    ny: float,
-    e: float,
-    approach: float,
-    kick: float,
-) -> tuple[float, float, float]:
-    """The same after a bounce that scales the whole relative velocity by `e`: `v_surface + e·(w - 2(w·n)n) + kick·n`.
-
-    w is the velocity relative to the surface, its normal part taken as at contact.
+    The normal part of w, the velocity relative to the surface, becomes `-e·approach + kick`, whatever it is now;
+    `approach` is that at contact (`approach_at_contact`), `kick` the speed that the shape adds. The part along the
+    surface stays, or by the `total` rule is scaled by `e` too: to `v_surface + e·(w - 2(w·n)n) + kick·n`, the normal
+    part of w taken as at contact. The third result is the impulse along the normal per unit of the ball's mass.
     """
     wx, wy = vx - surface_vx, vy - surface_vy
     s = wx * nx + wy * ny
-    turned = s + approach
     gain = kick - e * approach - s
+    if not total:
+        return vx + gain * nx, vy + gain * ny, gain
+    # w - (s + approach)·n has the part along the surface of w, and the normal part -approach.
+    turned = s + approach
     rx = e * (wx - turned * nx) + kick * nx
     ry = e * (wy - turned * ny) + kick * ny
     return surface_vx + rx, surface_vy + ry, gain

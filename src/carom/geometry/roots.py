@@ -9,9 +9,20 @@ Source: Press et al., Numerical Recipes, 3rd ed., 5.6 (quadratics) and 9.4 (rtsa
 from __future__ import annotations
 
 from math import copysign, fabs, sqrt
+from typing import NamedTuple
 
 from carom.constants import ROOT_STEPS, ROOT_TOLERANCE
 from carom.geometry.vector import larger, smaller
+
+
+class Quartic(NamedTuple):
+    """The polynomial c4·t⁴ + c3·t³ + c2·t² + c1·t + c0."""
+
+    c4: float
+    c3: float
+    c2: float
+    c1: float
+    c0: float
 
 
 def falling_time(height: float, rate: float, acceleration: float) -> float | None:
@@ -20,16 +31,19 @@ def falling_time(height: float, rate: float, acceleration: float) -> float | Non
     From a height of zero or less it has to rise above zero first. A height that only grazes zero does not fall
     through it. Neither of the two forms of the root adds numbers of opposite signs.
     """
-    squared = rate * rate - 2.0 * acceleration * height
-    if not squared > 0.0:
+    # The square of the rate where the height is zero, as by the conservation of energy.
+    rate_squared = rate * rate - 2.0 * acceleration * height
+    if not rate_squared > 0.0:
         return None
-    root = sqrt(squared)
+    root = sqrt(rate_squared)
+    # It falls through the zero where the rate is -root.
     if rate > 0.0:
         if acceleration >= 0.0:
             return None
         return (rate + root) / (0.0 - acceleration)
     if height <= 0.0:
         return None
+    # The same time, multiplied above and below by root - rate: in this form it holds without acceleration too.
     return 2.0 * height / (root - rate)
 
 
@@ -39,13 +53,13 @@ def quadratic_roots(c2: float, c1: float, c0: float, duration: float) -> tuple[f
     Both are `duration` where it has none, or a double one, where its sign does not change. The second root of a line
     counts as infinitely early or late.
     """
-    squared = c1 * c1 - 4.0 * c2 * c0
-    if not squared > 0.0:
+    discriminant = c1 * c1 - 4.0 * c2 * c0
+    if not discriminant > 0.0:
         return duration, duration
     # The sum of two numbers of one sign loses no digits; the other root follows from the product of both, c0/c2.
-    sum_ = -0.5 * (c1 + copysign(sqrt(squared), c1))
-    first = clipped_ratio(sum_, c2, duration)
-    second = clipped_ratio(c0, sum_, duration)
+    half_sum = -0.5 * (c1 + copysign(sqrt(discriminant), c1))
+    first = clipped_ratio(half_sum, c2, duration)
+    second = clipped_ratio(c0, half_sum, duration)
     if first <= second:
         return first, second
     return second, first
@@ -71,16 +85,18 @@ def cubic_roots(c3: float, c2: float, c1: float, c0: float, duration: float) -> 
     first, second, third = duration, duration, duration
     count = 0
     low, value = 0.0, c0
+    # Between two turns it only falls or only rises, so a sign that changes tells of one root and no more. Turns out of
+    # the range have been brought to its ends, where the stretches between them are empty.
     for high in (turn1, turn2, duration):
         if not high > low:
             continue
         value_high = ((c3 * high + c2) * high + c1) * high + c0
         if (value < 0.0) != (value_high < 0.0):
-            root = low
+            root = low  # to the bit, where the cubic is zero there
             if value != 0.0:
                 # Newton starts where a straight line between the ends crosses zero.
                 guess = low + (high - low) * (value / (value - value_high))
-                root = root_between(0.0, c3, c2, c1, c0, low, high, value < 0.0, guess)
+                root = root_between(Quartic(0.0, c3, c2, c1, c0), low, high, value < 0.0, guess)
             if count == 0:
                 first = root
             elif count == 1:
@@ -92,14 +108,12 @@ def cubic_roots(c3: float, c2: float, c1: float, c0: float, duration: float) -> 
     return first, second, third
 
 
-def root_between(
-    c4: float, c3: float, c2: float, c1: float, c0: float, low: float, high: float, rising: bool, guess: float
-) -> float:
+def root_between(quartic: Quartic, low: float, high: float, rising: bool, guess: float) -> float:
     """The root of a quartic that changes sign once between `low` and `high`, from below if `rising`.
 
-    Newton's steps from `guess`, which end at the enclosure's ends; one that is not half as long as the one before gives
-    way to halving the enclosure, so it always ends. The error is that of evaluating the polynomial at the root.
+    Steps from `guess` by `newton_step`. The error is that of evaluating the polynomial at the root.
     """
+    c4, c3, c2, c1, c0 = quartic
     time = guess
     if not low < time < high:
         time = low + 0.5 * (high - low)
@@ -111,11 +125,20 @@ def root_between(
             low = time
         else:
             high = time
-        following = low + 0.5 * (high - low)
-        if 2.0 * fabs(value) < fabs(slope * step):
-            following = smaller(larger(time - value / slope, low), high)
+        following = newton_step(time, value, slope, low, high, step)
         step = following - time
         time = following
         if fabs(step) <= ROOT_TOLERANCE * fabs(time):
             break
     return time
+
+
+def newton_step(time: float, value: float, slope: float, low: float, high: float, step: float) -> float:
+    """Where to look next for the root between `low` and `high` of what has a value and a slope at `time`.
+
+    Newton's step, which ends at the enclosure's ends. One that is not half as long as the last `step` gives way to
+    halving the enclosure, so the search always ends.
+    """
+    if 2.0 * fabs(value) < fabs(slope * step):
+        return smaller(larger(time - value / slope, low), high)
+    return low + 0.5 * (high - low)

@@ -23,69 +23,84 @@ order.
 from __future__ import annotations
 
 from math import cos, fabs, inf, sin, sqrt
+from typing import NamedTuple
 
 from carom.constants import APPROACH_ROUNDING, ROOT_STEPS, ROOT_TOLERANCE, TURN_STEPS
-from carom.geometry.vector import larger, smaller
+from carom.geometry.path import Path, path_after
+from carom.geometry.roots import newton_step
+from carom.geometry.vector import larger
 
 LINE = 0
 OUTER = 1
 INNER = 2
 
 
-def seen_place(
-    time: float, px: float, py: float, vx: float, vy: float, gx: float, gy: float, spin: float
-) -> tuple[float, float, float, float]:
-    """Where the ball is and how fast it moves as seen from the turning shape, as (qx, qy, q'x, q'y)."""
-    x, y = px + (vx + 0.5 * gx * time) * time, py + (vy + 0.5 * gy * time) * time
-    wx, wy = vx + gx * time + spin * y, vy + gy * time - spin * x
+class Edge(NamedTuple):
+    """What a ball's gap is measured from: k and `level` by `form`; `level` is above 0 unless the form is LINE."""
+
+    form: int
+    kx: float
+    ky: float
+    level: float
+
+
+class SeenPath(NamedTuple):
+    """A ball's path relative to the pivot of a shape that turns with the angular velocity `spin`."""
+
+    path: Path
+    spin: float
+
+
+def seen_start(seen: SeenPath) -> tuple[float, float, float, float]:
+    """Where the ball is at first and how fast it moves as seen from the turning shape, as (qx, qy, q'x, q'y)."""
+    (x, y, vx, vy, _, _), spin = seen
+    # What stands still seems to turn the other way: with -ω·perp(p).
+    return x, y, vx + spin * y, vy - spin * x
+
+
+def seen_place(time: float, seen: SeenPath) -> tuple[float, float, float, float]:
+    """The same at a time."""
+    path, spin = seen
+    x, y, wx, wy = seen_start(SeenPath(path_after(path, time), spin))
     if time == 0.0:
         return x, y, wx, wy
     c, s = cos(spin * time), sin(spin * time)
     return c * x + s * y, c * y - s * x, c * wx + s * wy, c * wy - s * wx
 
 
-def seen_gap(
-    time: float,
-    form: int,
-    kx: float,
-    ky: float,
-    level: float,
-    px: float,
-    py: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    spin: float,
-) -> tuple[float, float]:
-    """The gap and its rate of change; `level` is above 0 unless the form is LINE."""
-    x, y, wx, wy = seen_place(time, px, py, vx, vy, gx, gy, spin)
+def seen_gap(time: float, edge: Edge, seen: SeenPath) -> tuple[float, float]:
+    """The gap and its rate of change."""
+    form, kx, ky, level = edge
+    x, y, wx, wy = seen_place(time, seen)
     if form == LINE:
         return kx * x + ky * y - level, kx * wx + ky * wy
     x, y = x - kx, y - ky
-    squared, outward = x * x + y * y, x * wx + y * wy
-    if squared > level * level:
-        away = sqrt(squared)
+    away_squared, outward = x * x + y * y, x * wx + y * wy
+    if away_squared > level * level:
+        away = sqrt(away_squared)
         gap, rate = away - level, outward / away
     else:
-        gap, rate = 0.5 * (squared / level - level), outward / level
+        # The distance itself has a kink at k, and no second derivative; this has the same value and slope at `level`.
+        gap, rate = 0.5 * (away_squared / level - level), outward / level
     if form == INNER:
         return -gap, -rate
     return gap, rate
 
 
-def seen_bounds(
-    px: float, py: float, vx: float, vy: float, gx: float, gy: float, spin: float, duration: float
-) -> tuple[float, float]:
+def seen_bounds(seen: SeenPath, duration: float) -> tuple[float, float]:
     """Bounds (V, A) of the ball's speed and acceleration within the duration as seen from the turning shape."""
+    (px, py, vx, vy, gx, gy), spin = seen
     pull, turn = sqrt(gx * gx + gy * gy), fabs(spin)
     speed = sqrt(vx * vx + vy * vy) + pull * duration
-    reach = sqrt(px * px + py * py) + speed * duration
-    return speed + turn * reach, pull + turn * (2.0 * speed + turn * reach)
+    distance = sqrt(px * px + py * py) + speed * duration
+    # q' is v and the turning of the frame, q'' is g and the two accelerations that the frame adds: 2ωv and ω²p.
+    return speed + turn * distance, pull + turn * (2.0 * speed + turn * distance)
 
 
 def seen_bends(form: int, level: float, v: float, a: float) -> tuple[float, float]:
     """Bounds of the gap's second derivative: above minus the first while it is above 0, below the second else."""
+    # |q|'' is q''·n + (q'² - (q'·n)²)/|q| with n = q/|q|: from -A to A + V²/level outside of the circle. Inside of it
+    # (q² - level²)/(2·level) has (q'² + q·q'')/level, within the same bounds. From inside all changes its sign.
     if form == INNER:
         return a + v * (v / level), a
     if form == OUTER:
@@ -93,34 +108,19 @@ def seen_bends(form: int, level: float, v: float, a: float) -> tuple[float, floa
     return a, a
 
 
-def next_fall(
-    start: float,
-    held: bool,
-    depth: float,
-    form: int,
-    kx: float,
-    ky: float,
-    level: float,
-    px: float,
-    py: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    spin: float,
-    duration: float,
-) -> float | None:
+def next_fall(start: float, held: bool, depth: float, edge: Edge, seen: SeenPath, duration: float) -> float | None:
     """The first time from `start` on at which the gap falls through zero; None if it does not within `duration`.
 
     A gap of zero or less at the start counts, if it is `held`, as soon as it gets smaller than it is; else it has to
     rise above zero first. A fall, or a rise, by less than `depth` that ends by itself may go unseen. After too many
     steps the time reached so far is returned, from which one may go on.
     """
-    v, a = seen_bounds(px, py, vx, vy, gx, gy, spin, duration)
-    bend_fall, bend_rise = seen_bends(form, level, v, a)
-    gap, rate = seen_gap(start, form, kx, ky, level, px, py, vx, vy, gx, gy, spin)
+    v, a = seen_bounds(seen, duration)
+    bend_fall, bend_rise = seen_bends(edge.form, edge.level, v, a)
+    gap, rate = seen_gap(start, edge, seen)
     floor = 0.0
     if gap <= 0.0 and held:
+        # The rate has the rounding of the velocities that it is the difference of.
         if rate < -APPROACH_ROUNDING * v:
             return start
         floor = gap
@@ -134,15 +134,17 @@ def next_fall(
         else:
             height = -gap
             following = time + safe_step(height + depth, -rate, bend_rise)
+        # The step is lost to the rounding of the time, or no number: there is nothing more to be found.
         if not following > time:
             return None
         if following >= duration:
+            # What has not risen cannot fall, and no height is lost faster than at the greatest speed.
             if not held or height > v * (duration - time):
                 return None
             following = duration
-        gap, rate = seen_gap(following, form, kx, ky, level, px, py, vx, vy, gx, gy, spin)
+        gap, rate = seen_gap(following, edge, seen)
         if held and gap <= floor and rate < 0.0:
-            return fall_between(time, following, floor, form, kx, ky, level, px, py, vx, vy, gx, gy, spin)
+            return fall_between(time, following, floor, edge, seen)
         if following >= duration:
             return None
         time = following
@@ -152,6 +154,7 @@ def next_fall(
 def safe_step(gap: float, rate: float, bend: float) -> float:
     """How long gap + rate·t - bend·t²/2 stays above zero; `gap` is above zero, `bend` not below it."""
     root = sqrt(rate * rate + 2.0 * bend * gap)
+    # The positive root, in the form that adds numbers of one sign.
     if rate < 0.0:
         return 2.0 * gap / (root - rate)
     if bend > 0.0:
@@ -159,36 +162,19 @@ def safe_step(gap: float, rate: float, bend: float) -> float:
     return inf
 
 
-def fall_between(
-    low: float,
-    high: float,
-    floor: float,
-    form: int,
-    kx: float,
-    ky: float,
-    level: float,
-    px: float,
-    py: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    spin: float,
-) -> float:
+def fall_between(low: float, high: float, floor: float, edge: Edge, seen: SeenPath) -> float:
     """When the gap, above `floor` after `low` and not above it at `high`, falls through it; as `roots.root_between`."""
     time = high
     step = high - low
     tolerance = ROOT_TOLERANCE * high
     for _ in range(ROOT_STEPS):
-        gap, rate = seen_gap(time, form, kx, ky, level, px, py, vx, vy, gx, gy, spin)
+        gap, rate = seen_gap(time, edge, seen)
         value = gap - floor
         if value > 0.0:
             low = time
         else:
             high = time
-        following = low + 0.5 * (high - low)
-        if 2.0 * fabs(value) < fabs(rate * step):
-            following = smaller(larger(time - value / rate, low), high)
+        following = newton_step(time, value, rate, low, high, step)
         step = following - time
         time = following
         if fabs(step) <= tolerance:

@@ -24,9 +24,10 @@ def length_squared(x: float, y: float) -> float:
 
 def length(x: float, y: float) -> float:
     """The length of a vector, to the last digit or two at any magnitude; 0 for the zero vector alone."""
-    squared = x * x + y * y
-    if LEAST_SQUARE < squared < GREATEST_SQUARE:
-        return sqrt(squared)
+    size_squared = x * x + y * y
+    if LEAST_SQUARE < size_squared < GREATEST_SQUARE:
+        return sqrt(size_squared)
+    # Outside of that a square has lost digits or overflowed; scaled, the larger coordinate is 1.
     scale = larger(fabs(x), fabs(y))
     if scale == 0.0:
         return 0.0
@@ -37,15 +38,16 @@ def length(x: float, y: float) -> float:
 
 def unit(x: float, y: float) -> tuple[float, float] | None:
     """The vector of length 1 in the direction of (x, y), to the last digit or two; None for the zero vector."""
-    squared = x * x + y * y
-    if not LEAST_SQUARE < squared < GREATEST_SQUARE:
+    # As in `length`: a square that is lost or overflows would leave a vector that is not of length 1, or none.
+    size_squared = x * x + y * y
+    if not LEAST_SQUARE < size_squared < GREATEST_SQUARE:
         scale = larger(fabs(x), fabs(y))
         if scale == 0.0:
             return None
         x = x / scale
         y = y / scale
-        squared = x * x + y * y
-    size = sqrt(squared)
+        size_squared = x * x + y * y
+    size = sqrt(size_squared)
     return x / size, y / size
 
 

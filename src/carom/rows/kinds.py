@@ -11,6 +11,7 @@ from math import inf
 
 from carom.geometry.arc import in_sector
 from carom.geometry.entry import depth_on_entry_arc, depth_on_entry_segment
+from carom.geometry.figures import ArcGeometry, CircleGeometry, SegmentGeometry
 from carom.geometry.gap import gap_circle, gap_segment
 from carom.geometry.overlap import overlap_arc, overlap_circle, overlap_gate, overlap_point, overlap_segment
 from carom.geometry.reach import in_wide_sector
@@ -38,6 +39,23 @@ def has_side(kind: int) -> bool:
     return kind == SEGMENT or kind == GATE or kind == CIRCLE or kind == ARC
 
 
+def segment_of(shape: ShapeRow) -> SegmentGeometry:
+    """The geometry of a segment or gate."""
+    ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
+    return SegmentGeometry(ax, ay, tx, ty, float(shape["length"]))
+
+
+def circle_of(shape: ShapeRow) -> CircleGeometry:
+    """The geometry of a circle."""
+    return CircleGeometry(float(shape["cx"]), float(shape["cy"]), float(shape["radius"]), bool(shape["solid"] != 0))
+
+
+def arc_of(shape: ShapeRow) -> ArcGeometry:
+    """The geometry of an arc."""
+    cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
+    return ArcGeometry(cx, cy, r, float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"]))
+
+
 def lets_pass(shape: ShapeRow, x: float, y: float) -> bool:
     """True for a gate if (x, y) is on the side from which it lets balls pass; its own line counts as that."""
     if shape["kind"] != GATE:
@@ -58,18 +76,14 @@ def find_contact(
     the ball by is for the caller to ask (`lets_pass`). Masks and switches are the caller's as well.
     """
     kind = shape["kind"]
-    cx, cy = float(shape["cx"]), float(shape["cy"])
     if kind == POINT:
-        return overlap_point(cx, cy, x, y, radius, wx, wy)
+        return overlap_point(float(shape["cx"]), float(shape["cy"]), x, y, radius, wx, wy)
     if kind == CIRCLE:
-        return overlap_circle(cx, cy, float(shape["radius"]), int(shape["solid"]), x, y, radius, wx, wy)
-    ax, ay = float(shape["ax"]), float(shape["ay"])
+        return overlap_circle(circle_of(shape), x, y, radius, wx, wy)
     if is_straight(kind):
-        tx, ty = float(shape["tx"]), float(shape["ty"])
-        return overlap_segment(ax, ay, tx, ty, float(shape["length"]), x, y, radius, wx, wy)
+        return overlap_segment(segment_of(shape), x, y, radius, wx, wy)
     if kind == ARC:
-        bx, by = float(shape["bx"]), float(shape["by"])
-        return overlap_arc(cx, cy, float(shape["radius"]), ax, ay, bx, by, x, y, radius, wx, wy)
+        return overlap_arc(arc_of(shape), x, y, radius, wx, wy)
     return None
 
 
@@ -79,9 +93,7 @@ def detect_contact(
     """What `find_contact` returns, but None for a gate that would not stop the ball; nobody knows its past here."""
     if shape["kind"] != GATE:
         return find_contact(shape, x, y, radius, wx, wy)
-    ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
-    extent, dx, dy = float(shape["length"]), float(shape["dx"]), float(shape["dy"])
-    return overlap_gate(ax, ay, tx, ty, extent, dx, dy, x, y, radius, wx, wy)
+    return overlap_gate(segment_of(shape), float(shape["dx"]), float(shape["dy"]), x, y, radius, wx, wy)
 
 
 def gap_at_rest(
@@ -101,10 +113,9 @@ def gap_at_rest(
                 return None
         # One call for three kinds is compiled into this function; three of them are not, and cost the step 2 %.
         solid = kind == POINT or (kind == CIRCLE and shape["solid"] != 0)
-        return gap_circle(cx, cy, r, solid, x, y, radius, wx, wy)
+        return gap_circle(CircleGeometry(cx, cy, r, solid), x, y, radius, wx, wy)
     if is_straight(kind):
-        ax, ay, tx, ty = float(shape["ax"]), float(shape["ay"]), float(shape["tx"]), float(shape["ty"])
-        return gap_segment(ax, ay, tx, ty, float(shape["length"]), x, y, radius, wx, wy, slop)
+        return gap_segment(segment_of(shape), x, y, radius, wx, wy, slop)
     return None
 
 
@@ -136,12 +147,8 @@ def depth_on_entry(shape: ShapeRow, radius: float, from_x: float, from_y: float,
     ends, of which every ball is clear that does not touch them.
     """
     kind = shape["kind"]
-    ax, ay = float(shape["ax"]), float(shape["ay"])
     if is_straight(kind):
-        tx, ty, extent = float(shape["tx"]), float(shape["ty"]), float(shape["length"])
-        return depth_on_entry_segment(ax, ay, tx, ty, extent, radius, from_x, from_y, to_x, to_y)
+        return depth_on_entry_segment(segment_of(shape), radius, from_x, from_y, to_x, to_y)
     if kind == ARC:
-        cx, cy, r = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
-        bx, by = float(shape["bx"]), float(shape["by"])
-        return depth_on_entry_arc(cx, cy, r, ax, ay, bx, by, radius, from_x, from_y, to_x, to_y)
+        return depth_on_entry_arc(arc_of(shape), radius, from_x, from_y, to_x, to_y)
     return -inf

@@ -11,7 +11,7 @@ from carom.geometry.circle import closest_on_disc
 from carom.geometry.crossing import crosses_arc, crosses_circle, crosses_segment
 from carom.geometry.line import closest_on_segment, distance_to_segment
 from carom.geometry.vector import cross, length
-from carom.rows.kinds import is_straight
+from carom.rows.kinds import arc_of, circle_of, is_straight, segment_of
 from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow
 
 
@@ -41,18 +41,18 @@ def distance_to_shape(shape: ShapeRow, x: float, y: float) -> float:
 def closest_on_shape(shape: ShapeRow, x: float, y: float) -> tuple[float, float, bool]:
     """The point of a shape nearest to (x, y), and whether that is inside of it; infinitely far for an unknown kind."""
     kind = shape["kind"]
-    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     if kind == POINT:
-        return cx, cy, False
+        return float(shape["cx"]), float(shape["cy"]), False
     if kind == CIRCLE:
+        cx, cy, radius, solid = circle_of(shape)
         px, py, inside = closest_on_disc(cx, cy, radius, x, y)
-        return px, py, inside and shape["solid"] != 0
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+        return px, py, inside and solid
     if is_straight(kind):
+        ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
         px, py = closest_on_segment(ax, ay, bx, by, x, y)
         return px, py, False
     if kind == ARC:
-        px, py = closest_on_arc(cx, cy, radius, ax, ay, bx, by, x, y)
+        px, py = closest_on_arc(arc_of(shape), x, y)
         return px, py, False
     return inf, inf, False
 
@@ -60,16 +60,15 @@ def closest_on_shape(shape: ShapeRow, x: float, y: float) -> tuple[float, float,
 def box_meets_shape(shape: ShapeRow, left: float, bottom: float, right: float, top: float) -> bool:
     """True if a shape has a point in common with a box; a shape of an unknown kind has none."""
     kind = shape["kind"]
-    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     if kind == POINT:
-        return box_contains(left, bottom, right, top, cx, cy)
+        return box_contains(left, bottom, right, top, float(shape["cx"]), float(shape["cy"]))
     if kind == CIRCLE:
-        return box_meets_circle(left, bottom, right, top, cx, cy, radius, int(shape["solid"]))
-    ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
+        return box_meets_circle(left, bottom, right, top, circle_of(shape))
     if is_straight(kind):
+        ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
         return box_meets_segment(left, bottom, right, top, ax, ay, bx, by)
     if kind == ARC:
-        return box_meets_arc(left, bottom, right, top, cx, cy, radius, ax, ay, bx, by)
+        return box_meets_arc(left, bottom, right, top, arc_of(shape))
     return False
 
 
@@ -97,14 +96,10 @@ def crosses_side(shape: ShapeRow, x: float, y: float, dx: float, dy: float, slop
     What begins on a shape does not cross it. The ends reach `slop` far. A point has no side.
     """
     kind = shape["kind"]
-    cx, cy, radius = float(shape["cx"]), float(shape["cy"]), float(shape["radius"])
     if kind == CIRCLE:
-        return crosses_circle(cx, cy, radius, int(shape["solid"]), x, y, dx, dy)
-    ax, ay = float(shape["ax"]), float(shape["ay"])
+        return crosses_circle(circle_of(shape), x, y, dx, dy)
     if is_straight(kind):
-        tx, ty = float(shape["tx"]), float(shape["ty"])
-        return crosses_segment(ax, ay, tx, ty, float(shape["length"]), x, y, dx, dy, slop)
+        return crosses_segment(segment_of(shape), x, y, dx, dy, slop)
     if kind == ARC:
-        bx, by = float(shape["bx"]), float(shape["by"])
-        return crosses_arc(cx, cy, radius, ax, ay, bx, by, x, y, dx, dy, slop)
+        return crosses_arc(arc_of(shape), x, y, dx, dy, slop)
     return False

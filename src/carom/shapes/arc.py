@@ -7,6 +7,7 @@ from typing import Literal, TypeAlias, Unpack
 from carom.checks import number, pair, positive, refuse
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
+from carom.rows.kinds import arc_of
 from carom.rows.pose import derive
 from carom.rows.shape import ARC, ShapeRow
 from carom.shapes.mover import Geometry
@@ -157,7 +158,7 @@ class Arc(RoundShape):
     def closest_point(self, p: Pair) -> Vector:
         """The point of it that is nearest to `p`: an end outside the sector, its middle where `p` is the centre."""
         x, y = pair("p", p)
-        return closest_on_arc(*self.center, self.radius, *self.p0, *self.p1, x, y)
+        return closest_on_arc(arc_of(self._row), x, y)
 
     def complement(self) -> Arc:
         """The rest of the circle, as a new arc of the same surface and motion, in no world and no compound."""

@@ -10,7 +10,7 @@ import numpy as np
 from carom.checks import flag, layers, non_negative, one_of, pair, positive, refuse, text_or_none
 from carom.geometry.aabb import circle_box
 from carom.geometry.circle import closest_on_circle
-from carom.geometry.response import exchanged, reflected, reflected_total, separated
+from carom.geometry.response import exchanged, reflected, separated
 from carom.geometry.vector import dot
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD, BallRow
 from carom.rows.relation import NO_RELATION
@@ -259,8 +259,7 @@ def _respond_to_shape(contact: Contact, shape: Shape, total: bool) -> None:
     approach = dot(vx - surface_vx, vy - surface_vy, nx, ny)
     if approach < 0.0:
         e = shape.elasticity * ball.elasticity
-        bounce = reflected_total if total else reflected
-        vx, vy, _ = bounce(vx, vy, surface_vx, surface_vy, nx, ny, e, approach, shape.kick)
+        vx, vy, _ = reflected(vx, vy, surface_vx, surface_vy, nx, ny, e, approach, shape.kick, total)
     x, y = x + contact.setback * nx, y + contact.setback * ny
     ball._write(ball._with("contact", contact, x=x, y=y, vx=vx, vy=vy))
 

@@ -7,10 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom.constants import END_DEPTH_CONTINUOUS
-from carom.geometry import advance, turning
+from carom.geometry import advance as advances
+from carom.geometry import turning as turnings
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import unit
+from tests.flat import flat
 
+advance, turning = flat(advances), flat(turnings)
 ORIGIN = (0.0, 0.0, 0.0, 0.0)
 HAND = (0.0, 0.0, 1.0, 0.0, 10.0)
 STILL = (0.0, 0.0)
@@ -161,10 +164,10 @@ def test_a_search_that_takes_too_many_steps_stops_where_the_ball_is_clear() -> N
 
 
 def test_the_gap_of_a_circle_goes_on_smoothly_where_its_form_changes() -> None:
-    for form in (turning.OUTER, turning.INNER):
+    for form in (turnings.OUTER, turnings.INNER):
         for x in (4.9999999, 5.0000001):
             gap, rate = turning.seen_gap(0.0, form, 0.0, 0.0, 5.0, x, 0.0, 2.0, 0.0, *STILL, 0.0)
-            sign = 1.0 if form == turning.OUTER else -1.0
+            sign = 1.0 if form == turnings.OUTER else -1.0
             assert gap == pytest.approx(sign * (x - 5.0), rel=1e-6)
             assert rate == pytest.approx(sign * 2.0, rel=1e-6)
 
@@ -174,7 +177,7 @@ def test_the_gap_of_a_circle_goes_on_smoothly_where_its_form_changes() -> None:
 )
 def test_the_bounds_of_the_search_hold(numbers: list[float], duration: float, form: int, data: st.DataObject) -> None:
     px, py, vx, vy, gx, gy, spin, angle = numbers
-    kx, ky, level = (cos(angle), sin(angle), 0.5) if form == turning.LINE else (angle, 1.0, 3.0)
+    kx, ky, level = (cos(angle), sin(angle), 0.5) if form == turnings.LINE else (angle, 1.0, 3.0)
     motion = (px, py, vx, vy, gx, gy, spin)
     speed, acceleration = turning.seen_bounds(*motion, duration)
     bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
@@ -192,7 +195,7 @@ def test_the_bounds_of_the_search_hold(numbers: list[float], duration: float, fo
     assert abs(rate1) <= speed + noise
 
 
-@pytest.mark.parametrize("form", [turning.OUTER, turning.INNER])
+@pytest.mark.parametrize("form", [turnings.OUTER, turnings.INNER])
 def test_the_bounds_know_how_a_circle_curves(form: int) -> None:
     # straight across a circle, whose form there is the square of the distance
     level, motion = 3.0, (-0.1, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0)
@@ -201,7 +204,7 @@ def test_the_bounds_know_how_a_circle_curves(form: int) -> None:
     gap2, rate2 = turning.seen_gap(0.2, form, 0.0, 0.0, level, *motion)
     bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
     assert acceleration == 0.0
-    assert rate2 - rate1 == pytest.approx(0.2 * (bend_rise if form == turning.OUTER else -bend_fall), rel=1e-6)
+    assert rate2 - rate1 == pytest.approx(0.2 * (bend_rise if form == turnings.OUTER else -bend_fall), rel=1e-6)
     assert gap1 == pytest.approx(gap2, abs=1e-12)
 
 

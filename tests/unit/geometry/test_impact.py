@@ -7,10 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom.constants import END_DEPTH_CONTINUOUS
-from carom.geometry import impact
+from carom.geometry import impact as impacts
 from carom.geometry.arc import arc_ends
+from carom.geometry.path import Path
 from carom.geometry.vector import unit
+from tests.flat import flat
 
+impact = flat(impacts)
 STILL = (0.0, 0.0)
 FLOOR = (0.0, 0.0, 1.0, 0.0, 10.0)
 RIGHT_HALF = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi, 0.5 * pi))
@@ -77,9 +80,10 @@ def test_a_ball_that_comes_in_by_the_gap_of_an_arc_meets_its_inside() -> None:
 
 
 def test_two_balls_meet_by_their_relative_motion() -> None:
-    assert impact.impact_ball(0.0, 0.0, 1.0, 0.0, 1.0, 10.0, 0.0, -3.0, 0.0, 2.0, *STILL, 5.0) == 1.75
-    assert impact.impact_ball(0.0, 0.0, 1.0, 0.0, 1.0, 10.0, 0.0, 1.0, 0.0, 2.0, *STILL, 5.0) is None
-    assert impact.impact_ball(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 8.0, 0.0, 0.0, 2.0, 0.0, -10.0, 5.0) == 1.0
+    right = (0.0, 0.0, 1.0, 0.0, 2.0, 1.0)
+    assert impact.impact_ball(*right, 10.0, 0.0, -3.0, 0.0, 2.0, 1.0, 3.0, 5.0) == 1.75
+    assert impact.impact_ball(*right, 10.0, 0.0, 1.0, 0.0, 2.0, 1.0, 3.0, 5.0) is None
+    assert impact.impact_ball(0.0, 0.0, *STILL, *STILL, 0.0, 8.0, *STILL, 0.0, -10.0, 3.0, 5.0) == 1.0
 
 
 # -- falling -------------------------------------------------------------------------------------------------------
@@ -264,9 +268,10 @@ def test_a_ball_that_slides_off_a_wall_into_a_bowl_touches_at_the_joint() -> Non
 def test_a_ball_that_skips_along_two_arcs_of_one_circle_touches_the_second() -> None:
     # too deep by rounding and leaving flatly, in the first sector, its chord ends in the second
     second = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi + 1e-10, 2.5 * pi))
-    for flat, pull in ((1e-9, 0.0), (1e-6, 0.0), (1e-6, 1e-9)):
-        chord = impact.impact_arc(*second, 0.0, nextafter(-4.0, -5.0), 1.0, cos(flat), sin(flat), 0.0, -pull, 1.0, 0.0)
-        assert chord == pytest.approx(8.0 * flat, rel=1e-2)
+    for slope, pull in ((1e-9, 0.0), (1e-6, 0.0), (1e-6, 1e-9)):
+        leaves = (1.0, cos(slope), sin(slope))
+        chord = impact.impact_arc(*second, 0.0, nextafter(-4.0, -5.0), *leaves, 0.0, -pull, 1.0, 0.0)
+        assert chord == pytest.approx(8.0 * slope, rel=1e-2)
 
 
 # -- far, fast, small, large ---------------------------------------------------------------------------------------
@@ -322,6 +327,6 @@ def test_no_finite_numbers_make_nan_or_an_exception(
         impact.impact_segment(cx, cy, tx, ty, r, *motion, 1e-9 * radius),
         impact.impact_circle(cx, cy, r, int(solid), *motion),
         impact.impact_arc(cx, cy, r, ax, ay, bx, by, *motion, 1e-9 * radius),
-        impact.impact_ball(cx, cy, ax, ay, r, *motion[:2], vx, vy, radius, gx, gy, duration),
+        impacts.impact_ball(Path(cx, cy, ax, ay, *STILL), Path(x, y, vx, vy, gx, gy), r + radius, duration),
     ]
     assert all(time is None or 0.0 <= time <= duration < inf for time in found)

@@ -4,9 +4,11 @@ from math import hypot, pi
 
 import pytest
 
-from carom.geometry import overlap
+from carom.geometry import overlap as overlaps
 from carom.geometry.arc import arc_ends
+from tests.flat import flat
 
+overlap = flat(overlaps)
 FLOOR = (0.0, 0.0, 1.0, 0.0, 10.0)
 QUARTER = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 0.25 * pi, 0.75 * pi))
 

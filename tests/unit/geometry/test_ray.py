@@ -6,10 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom.geometry import ray
+from carom.geometry import ray as rays
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import unit
+from tests.flat import flat
 
+ray = flat(rays)
 FLOOR = (0.0, 0.0, 1.0, 0.0, 10.0)
 RIGHT_HALF = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi, 0.5 * pi))
 finite = st.floats(allow_nan=False, allow_infinity=False)

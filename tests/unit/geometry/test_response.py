@@ -8,24 +8,24 @@ from carom.geometry import response
 
 
 def test_a_ball_reflects_along_the_normal() -> None:
-    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 1.0, -4.0, 0.0) == (3.0, 4.0, 8.0)
-    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.5, -4.0, 0.0) == (3.0, 2.0, 6.0)
-    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.0, -4.0, 0.0) == (3.0, 0.0, 4.0)
+    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 1.0, -4.0, 0.0, False) == (3.0, 4.0, 8.0)
+    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.5, -4.0, 0.0, False) == (3.0, 2.0, 6.0)
+    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.0, -4.0, 0.0, False) == (3.0, 0.0, 4.0)
 
 
 def test_a_surface_that_swings_adds_its_speed_once_and_elasticity_times() -> None:
-    assert response.reflected(0.0, -4.0, 0.0, 2.0, 0.0, 1.0, 1.0, -6.0, 0.0) == (0.0, 8.0, 12.0)
-    assert response.reflected(0.0, -4.0, 9.0, 2.0, 0.0, 1.0, 0.5, -6.0, 0.0) == (0.0, 5.0, 9.0)
+    assert response.reflected(0.0, -4.0, 0.0, 2.0, 0.0, 1.0, 1.0, -6.0, 0.0, False) == (0.0, 8.0, 12.0)
+    assert response.reflected(0.0, -4.0, 9.0, 2.0, 0.0, 1.0, 0.5, -6.0, 0.0, False) == (0.0, 5.0, 9.0)
 
 
 def test_a_kick_adds_to_a_slow_ball_as_to_a_fast_one() -> None:
-    assert response.reflected(1.0, -0.5, 0.0, 0.0, 0.0, 1.0, 0.0, -0.5, 7.0) == (1.0, 7.0, 7.5)
-    assert response.reflected_total(1.0, -0.5, 0.0, 0.0, 0.0, 1.0, 0.0, -0.5, 7.0) == (0.0, 7.0, 7.5)
+    assert response.reflected(1.0, -0.5, 0.0, 0.0, 0.0, 1.0, 0.0, -0.5, 7.0, False) == (1.0, 7.0, 7.5)
+    assert response.reflected(1.0, -0.5, 0.0, 0.0, 0.0, 1.0, 0.0, -0.5, 7.0, True) == (0.0, 7.0, 7.5)
 
 
 def test_the_total_rule_scales_the_whole_relative_velocity() -> None:
-    assert response.reflected_total(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.5, -4.0, 0.0) == (1.5, 2.0, 6.0)
-    assert response.reflected_total(3.0, -4.0, 1.0, 2.0, 0.0, 1.0, 0.5, -6.0, 0.0) == (2.0, 5.0, 9.0)
+    assert response.reflected(3.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.5, -4.0, 0.0, True) == (1.5, 2.0, 6.0)
+    assert response.reflected(3.0, -4.0, 1.0, 2.0, 0.0, 1.0, 0.5, -6.0, 0.0, True) == (2.0, 5.0, 9.0)
 
 
 def test_an_approach_at_contact_is_that_of_the_fall_so_far() -> None:

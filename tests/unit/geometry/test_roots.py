@@ -7,8 +7,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from carom.geometry import roots
+from carom.geometry import roots as root_functions
+from tests.flat import flat
 
+roots = flat(root_functions)
 numbers = st.floats(-1e3, 1e3, allow_subnormal=False)
 spread = st.builds(
     lambda digits, power, sign: sign * digits * 10.0**power,

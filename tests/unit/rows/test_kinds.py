@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from carom import Arc, Segment
+from carom.geometry.path import Path, Turning
 from carom.rows import kinds, kinds_in_motion, kinds_near, pose
 from carom.rows.kinds import depth_on_entry
 from carom.rows.shape import BALL_KIND, KIND_NAMES
@@ -113,8 +114,9 @@ def test_what_keeps_a_ball_on_a_shape_at_rest(kind: str) -> None:
 
 # -- a kind that there is not ----------------------------------------------------------------------------------------
 
+NEARING = Path(-3.0, -3.0, 1.0, 1.0, 0.0, 0.0)
 #: What each question gets for an answer about a row of an unknown kind.
-MISSES: dict[str, tuple[Callable[..., Any], tuple[float, ...], Any]] = {
+MISSES: dict[str, tuple[Callable[..., Any], tuple[Any, ...], Any]] = {
     "find_contact": (kinds.find_contact, (0.0, 0.0, 9.0, 1.0, 0.0), None),
     "detect_contact": (kinds.detect_contact, (0.0, 0.0, 9.0, 1.0, 0.0), None),
     "gap_at_rest": (kinds.gap_at_rest, (0.0, 0.0, 9.0, 1.0, 0.0, 9.0), None),
@@ -126,10 +128,10 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[float, ...], Any]] = {
     "height_over": (kinds_near.height_over, (0.0, 0.0, 1.0, 1.0), inf),
     "crosses_side": (kinds_near.crosses_side, (-9.0, -9.0, 18.0, 18.0, 1.0), False),
     "box_meets_shape": (kinds_near.box_meets_shape, (-9.0, -9.0, 9.0, 9.0), False),
-    "impact_at_rest": (kinds_in_motion.impact_at_rest, (-3.0, -3.0, 9.0, 1.0, 1.0, 0.0, 0.0, 9.0), None),
+    "impact_at_rest": (kinds_in_motion.impact_at_rest, (NEARING, 9.0, 9.0), None),
     "impact_in_frame": (
         kinds_in_motion.impact_in_frame,
-        (0.0, 0.0, 1.0, -3.0, -3.0, 9.0, 1.0, 1.0, 0.0, 0.0, 9.0),
+        (Turning(0.0, 0.0, 0.0, 0.0, 1.0), NEARING, 9.0, 9.0),
         None,
     ),
     "ray_shape": (kinds_in_motion.ray_shape, (-3.0, -3.0, 9.0, 6.0, 6.0), None),

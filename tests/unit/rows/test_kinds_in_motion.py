@@ -4,6 +4,7 @@ from math import cos, sin
 
 import pytest
 
+from carom.geometry.path import Path, Turning
 from carom.rows import kinds_in_motion
 from tests.unit.rows.samples import KINDS, NEAR, RADIUS, SAMPLES, first_moment, row_of, thrown
 
@@ -15,9 +16,9 @@ def test_a_ball_touches_when_its_way_comes_within_its_radius(kind: str) -> None:
         moment = first_moment(
             kind, lambda t, a=(ax, ay): (x + (vx + 0.5 * a[0] * t) * t, y + (vy + 0.5 * a[1] * t) * t)
         )
-        found = kinds_in_motion.impact_at_rest(row_of(kind), x, y, RADIUS, vx, vy, ax, ay, 1.0)
+        found = kinds_in_motion.impact_at_rest(row_of(kind), Path(x, y, vx, vy, ax, ay), RADIUS, 1.0)
         assert found == pytest.approx(moment, abs=NEAR)
-    assert kinds_in_motion.impact_at_rest(row_of(kind), x, y, RADIUS, -vx, -vy, 0.0, 0.0, 1.0) is None
+    assert kinds_in_motion.impact_at_rest(row_of(kind), Path(x, y, -vx, -vy, 0.0, 0.0), RADIUS, 1.0) is None
 
 
 @KINDS
@@ -33,7 +34,8 @@ def test_a_ball_touches_a_shape_that_travels_and_turns_when_it_comes_within_its_
 
     for ux, uy, spin in ((0.2, -0.1, 0.0), (0.1, 0.2, 0.3)):
         moment = first_moment(kind, lambda t, u=(ux, uy, spin): seen(t, *u))
-        found = kinds_in_motion.impact_in_frame(row, ux, uy, spin, x, y, RADIUS, vx, vy, 0.0, 0.0, 1.0)
+        turning, path = Turning(px, py, ux, uy, spin), Path(x, y, vx, vy, 0.0, 0.0)
+        found = kinds_in_motion.impact_in_frame(row, turning, path, RADIUS, 1.0)
         assert found == pytest.approx(moment, abs=NEAR)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, ROOT_STEPS, SEPARATION_SLACK
 from carom.geometry.impact import impact_ball
+from carom.geometry.path import path_back
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
 from carom.rows.hit import ENTER, EXIT, HitRow
@@ -19,7 +20,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.bins import file_ball, leash, unfile_ball
-from carom.world.kernels.continuous.flight import fly_to, place_at
+from carom.world.kernels.continuous.flight import fly_to, path_at, path_of, place_at
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.spans import many_kinematic
 from carom.world.kernels.continuous.support import keep_energy
@@ -251,13 +252,12 @@ def overlaps_still(
 
 def time_since_shape(shape: ShapeRow, ball: BallRow, flight: FlightRow, way: float) -> float:
     """How long ago, within `way` seconds, a ball left a shape."""
-    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    vx, vy, ax, ay = -float(ball["vx"]), -float(ball["vy"]), float(flight["ax"]), float(flight["ay"])
+    back, radius = path_back(path_of(ball, flight)), float(ball["radius"])
     now = float(flight["time"])
     if is_moving(shape):
-        ago = impact_in_motion(shape, now, x, y, radius, vx, vy, ax, ay, way, -1.0)
+        ago = impact_in_motion(shape, now, back, radius, way, -1.0)
     else:
-        ago = impact_at_rest(shape, x, y, radius, vx, vy, ax, ay, way)
+        ago = impact_at_rest(shape, back, radius, way)
     if ago is not None:
         return 0.0 + ago
     # It left past an end, or touched just so when it was looked at last.
@@ -283,11 +283,9 @@ def is_on_sensor(shape: ShapeRow, ball: BallRow, flight: FlightRow, time: float)
 
 def time_since_ball(other: BallRow, partner: FlightRow, ball: BallRow, flight: FlightRow, way: float) -> float:
     """How long ago, within `way` seconds, a ball left another."""
-    x1, y1, vx1, vy1 = place_at(other, partner, float(flight["time"]))
-    x2, y2, vx2, vy2 = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
-    ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
-    r1, r2 = float(other["radius"]), float(ball["radius"])
-    ago = impact_ball(x1, y1, -vx1, -vy1, r1, x2, y2, -vx2, -vy2, r2, ax, ay, way)
+    first = path_back(path_at(other, partner, float(flight["time"])))
+    reach = float(other["radius"]) + float(ball["radius"])
+    ago = impact_ball(first, path_back(path_of(ball, flight)), reach, way)
     if ago is None:
         return way
     return 0.0 + ago

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import floor
 
 from carom.constants import JOINT_TURN, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
-from carom.geometry.response import exchanged, reflected, reflected_total
+from carom.geometry.response import exchanged, reflected
 from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, STALLED, FlightRow
@@ -119,10 +119,8 @@ def bounce(
             ball["vx"] = vx - s * nx
             ball["vy"] = vy - s * ny
         else:
-            if state["total_restitution"] != 0:
-                new_x, new_y, gain = reflected_total(vx, vy, ux, uy, nx, ny, elasticity, s, kick)
-            else:
-                new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, s, kick)
+            total = state["total_restitution"] != 0
+            new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, s, kick, total)
             ball["vx"] = new_x
             ball["vy"] = new_y
             limit_speed(state, ball)

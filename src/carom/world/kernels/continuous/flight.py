@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import sqrt
 
+from carom.geometry.path import Path, place_on
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_PLACE, NOTHING, STALLED, FlightRow
 from carom.rows.state import StateRow
@@ -40,6 +41,18 @@ def place_at(ball: BallRow, flight: FlightRow, time: float) -> tuple[float, floa
     return x + (vx * dt + ax * half), y + (vy * dt + ay * half), vx + ax * dt, vy + ay * dt
 
 
+def path_of(ball: BallRow, flight: FlightRow) -> Path:
+    """The path of a ball from where it is in its row."""
+    x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
+    return Path(x, y, vx, vy, float(flight["ax"]), float(flight["ay"]))
+
+
+def path_at(ball: BallRow, flight: FlightRow, time: float) -> Path:
+    """The path of a ball from where it is at a time of the span."""
+    x, y, vx, vy = place_at(ball, flight, time)
+    return Path(x, y, vx, vy, float(flight["ax"]), float(flight["ay"]))
+
+
 def fly_to(ball: BallRow, flight: FlightRow, time: float) -> None:
     """Move a ball to where it is at a time of the span."""
     if flight["kind"] == FLYING:
@@ -58,15 +71,13 @@ def top_speed(ball: BallRow, flight: FlightRow, duration: float) -> float:
     return sqrt(vx * vx + vy * vy) + sqrt(ax * ax + ay * ay) * duration
 
 
-def path_box(
-    x: float, y: float, vx: float, vy: float, ax: float, ay: float, begin: float, end: float
-) -> tuple[float, float, float, float]:
-    """The box (left, bottom, right, top) around a parabola between two times."""
-    x0, y0 = x + (vx + 0.5 * ax * begin) * begin, y + (vy + 0.5 * ay * begin) * begin
-    x1, y1 = x + (vx + 0.5 * ax * end) * end, y + (vy + 0.5 * ay * end) * end
+def path_box(path: Path, begin: float, end: float) -> tuple[float, float, float, float]:
+    """The box (left, bottom, right, top) of a ball's centre between two times from now."""
+    x0, y0 = place_on(path, begin)
+    x1, y1 = place_on(path, end)
     # Between two of its points a parabola is never farther from their chord than an eighth of this.
-    bulge_x = 0.125 * abs(ax) * (end - begin) * (end - begin)
-    bulge_y = 0.125 * abs(ay) * (end - begin) * (end - begin)
+    bulge_x = 0.125 * abs(path.gx) * (end - begin) * (end - begin)
+    bulge_y = 0.125 * abs(path.gy) * (end - begin) * (end - begin)
     return min(x0, x1) - bulge_x, min(y0, y1) - bulge_y, max(x0, x1) + bulge_x, max(y0, y1) + bulge_y
 
 

@@ -19,7 +19,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.bins import leash
-from carom.world.kernels.continuous.flight import consider, path_box, top_speed
+from carom.world.kernels.continuous.flight import consider, path_box, path_of, top_speed
 from carom.world.kernels.continuous.foresee_balls import foresee_balls, foresee_pairs
 from carom.world.kernels.continuous.queue import put_event, row_of, take_event
 from carom.world.kernels.continuous.spans import many_kinematic
@@ -220,7 +220,7 @@ def foresee_slice(
     end: float,
 ) -> None:
     """Foresee impacts with the shapes of an index near a slice of a way that is no wider than a cell."""
-    left, bottom, right, top = way_box(ball, flight, begin, end)
+    left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
     first = locate(entry, cells, left, bottom)
     if first >= 0 and locate(entry, cells, right, top) == first:
         if cells[first]["begin"] < cells[first]["end"]:
@@ -248,20 +248,6 @@ def foresee_slice(
                 foresee_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
 
 
-def way_box(ball: BallRow, flight: FlightRow, begin: float, end: float) -> tuple[float, float, float, float]:
-    """The box of a ball's centre between two times from now."""
-    return path_box(
-        float(ball["x"]),
-        float(ball["y"]),
-        float(ball["vx"]),
-        float(ball["vy"]),
-        float(flight["ax"]),
-        float(flight["ay"]),
-        begin,
-        end,
-    )
-
-
 def foresee_members(
     state: StateRow,
     ball: BallRow,
@@ -275,8 +261,8 @@ def foresee_members(
     end: float,
 ) -> None:
     """Foresee impacts with those of the shapes `members[low:high]` that stand still, near a slice of a ball's way."""
-    left, bottom, right, top = way_box(ball, flight, begin, end)
-    radius = float(ball["radius"])
+    path, radius = path_of(ball, flight), float(ball["radius"])
+    left, bottom, right, top = path_box(path, begin, end)
     state["box_tests"] += high - low
     for k in range(low, high):
         row = row_of(members[k])
@@ -292,10 +278,7 @@ def foresee_members(
         ):
             state["full_tests"] += 1
             duration = float(flight["event_time"]) - float(flight["time"])
-            time = impact_at_rest(
-                shape, float(ball["x"]), float(ball["y"]), radius, float(ball["vx"]), float(ball["vy"]),
-                float(flight["ax"]), float(flight["ay"]), duration,
-            )  # fmt: skip
+            time = impact_at_rest(shape, path, radius, duration)
             if time is not None:
                 consider_shape(flight, shapes, 0.0 + time, row)
             if is_entered_past_ends(ball, shape):
@@ -411,8 +394,8 @@ def foresee_moving(
     else:
         duration = float(flight["event_time"]) - float(flight["time"])
         end = duration
-    radius = float(ball["radius"])
-    left, bottom, right, top = way_box(ball, flight, begin, end)
+    path, radius = path_of(ball, flight), float(ball["radius"])
+    left, bottom, right, top = path_box(path, begin, end)
     box_left, box_bottom, box_right, box_top = span_box(shape, float(state["span"]))
     state["box_tests"] += 1
     if (
@@ -424,10 +407,7 @@ def foresee_moving(
         and not is_related(relations, ball, row)
     ):
         state["full_tests"] += 1
-        time = impact_in_motion(
-            shape, float(flight["time"]), float(ball["x"]), float(ball["y"]), radius, float(ball["vx"]),
-            float(ball["vy"]), float(flight["ax"]), float(flight["ay"]), duration, 1.0,
-        )  # fmt: skip
+        time = impact_in_motion(shape, float(flight["time"]), path, radius, duration, 1.0)
         if time is not None:
             consider_shape(flight, shapes, 0.0 + time, row)
         if is_entered_past_ends(ball, shape):

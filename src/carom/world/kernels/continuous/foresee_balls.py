@@ -14,7 +14,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
 from carom.world.kernels.continuous.bins import leash
-from carom.world.kernels.continuous.flight import consider, place_at
+from carom.world.kernels.continuous.flight import consider, path_at, place_at
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.support import patience
 from carom.world.kernels.step.relations import find_relation
@@ -142,11 +142,8 @@ def foresee_pair(
     duration = float(flight["event_time"]) - time
     if duration <= 0.0:
         return
-    x1, y1, vx1, vy1 = place_at(other, partner, time)
-    x2, y2, vx2, vy2 = place_at(ball, flight, time)
-    ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
-    r1, r2 = float(other["radius"]), float(ball["radius"])
-    delay = impact_ball(x1, y1, vx1, vy1, r1, x2, y2, vx2, vy2, r2, ax, ay, duration)
+    reach = float(other["radius"]) + float(ball["radius"])
+    delay = impact_ball(path_at(other, partner, time), path_at(ball, flight, time), reach, duration)
     if delay is None or not may_collide(ball, other):
         return
     state["full_tests"] += 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from carom.constants import END_SLOP
+from carom.geometry.path import Path, Turning
 from carom.geometry.vector import rotated
 from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
@@ -35,30 +36,21 @@ def out_of_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[floa
 
 
 def impact_in_motion(
-    shape: ShapeRow,
-    time: float,
-    x: float,
-    y: float,
-    radius: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    duration: float,
-    sign: float,
+    shape: ShapeRow, time: float, path: Path, radius: float, duration: float, sign: float
 ) -> float | None:
     """When, from a time of the span on, a ball first touches a shape that moves, within `duration`, or None.
 
-    `sign` is 1, or -1 for a motion that runs backwards, the ball's velocity being given as it is then.
+    `sign` is 1, or -1 for a motion that runs backwards, the ball's path being given as it is then.
     """
+    x, y, vx, vy, gx, gy = path
     turn = -float(shape["spin"]) * time
     c, s = cos(turn), sin(turn)
     x, y = into_frame(shape, time, x, y)
     vx, vy = rotated(vx, vy, c, s)
-    ax, ay = rotated(ax, ay, c, s)
+    gx, gy = rotated(gx, gy, c, s)
     ux, uy = rotated(sign * float(shape["velocity_x"]), sign * float(shape["velocity_y"]), c, s)
-    spin = sign * float(shape["spin"])
-    return impact_in_frame(shape, ux, uy, spin, x, y, radius, vx, vy, ax, ay, duration)
+    turning = Turning(float(shape["pivot_x"]), float(shape["pivot_y"]), ux, uy, sign * float(shape["spin"]))
+    return impact_in_frame(shape, turning, Path(x, y, vx, vy, gx, gy), radius, duration)
 
 
 def gap_to_shape(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import STILL_SHARE
-from carom.geometry.response import exchanged, reflected, reflected_total
+from carom.geometry.response import exchanged, reflected
 from carom.geometry.vector import dot, length, unit
 from carom.rows.ball import BallRow
 from carom.rows.query import AimRow, CastRow, QueryRow
@@ -65,10 +65,7 @@ def leave_shape(ball: BallRow, shape: ShapeRow, vx: float, vy: float, total: boo
     s = dot(vx, vy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
-    if total:
-        new_x, new_y, _ = reflected_total(vx, vy, 0.0, 0.0, nx, ny, elasticity, s, kick)
-    else:
-        new_x, new_y, _ = reflected(vx, vy, 0.0, 0.0, nx, ny, elasticity, s, kick)
+    new_x, new_y, _ = reflected(vx, vy, 0.0, 0.0, nx, ny, elasticity, s, kick, total)
     # A speed that is rounding has no direction worth telling.
     least = STILL_SHARE * length(vx, vy)
     aim["speed"] = write_direction(aim["direction"], new_x, new_y, least)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import fabs
 
 from carom.constants import RAY_SLOP
+from carom.geometry.figures import CircleGeometry
 from carom.geometry.ray import ray_disc
 from carom.rows.ball import BallRow
 from carom.rows.kinds_in_motion import ray_shape
@@ -117,7 +118,7 @@ def cast_at_ball(query: QueryRow, ball: BallRow, dx: float, dy: float, cast: Cas
     offset, reach = (x - cx) * dy - (y - cy) * dx, r + radius
     if offset * offset > reach * reach * (dx * dx + dy * dy) or not is_seen(ball, query):
         return False
-    touch = ray_disc(cx, cy, r, x, y, radius, dx, dy)
+    touch = ray_disc(CircleGeometry(cx, cy, r, True), x, y, radius, dx, dy)
     if touch is None:
         return False
     fraction, px, py, nx, ny = touch

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from carom.geometry.aabb import boxes_overlap
 from carom.geometry.boxes import box_meets_circle
+from carom.geometry.figures import CircleGeometry
 from carom.rows.ball import BallRow
 from carom.rows.contact import contact_of_balls, contact_with_shape
 from carom.rows.kinds_near import box_meets_shape
@@ -84,8 +85,8 @@ def id_in_box(
     """The id of an item that a query sees and that has a point in common with a box, else 0."""
     if item < 0:
         ball = balls[-1 - item]
-        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-        if is_seen(ball, query) and box_meets_circle(left, bottom, right, top, x, y, radius, 1):
+        disc = CircleGeometry(float(ball["x"]), float(ball["y"]), float(ball["radius"]), True)
+        if is_seen(ball, query) and box_meets_circle(left, bottom, right, top, disc):
             return int(ball["id"])
         return 0
     shape = shapes[item]

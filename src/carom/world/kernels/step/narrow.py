@@ -16,7 +16,7 @@ from carom.constants import (
     SIDE_ROOM,
 )
 from carom.geometry.overlap import overlap_ball
-from carom.geometry.response import approach_at_contact, exchanged, reflected, reflected_total, separated
+from carom.geometry.response import approach_at_contact, exchanged, reflected, separated
 from carom.geometry.vector import dot, length, length_squared, rotated
 from carom.rows.ball import BallRow
 from carom.rows.hit import ENTER, HitRow
@@ -248,10 +248,8 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
         return
-    if state["total_restitution"] != 0:
-        new_x, new_y, gain = reflected_total(vx, vy, ux, uy, nx, ny, elasticity, approach, kick)
-    else:
-        new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, approach, kick)
+    total = state["total_restitution"] != 0
+    new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, approach, kick, total)
     ball["vx"] = new_x
     ball["vy"] = new_y
     wake(state, ball)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Ball
+from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, FLYING, HIT_BALL, HIT_SHAPE, STALLED
 from carom.world.kernels.continuous.flight import begin_flight, consider, fly_to, path_box, place_at, top_speed
 from tests.kernel_calls import in_flight
@@ -43,7 +44,7 @@ def test_who_sleeps_or_has_been_stopped_stays_where_it_is(kind: int) -> None:
 def test_a_box_holds_a_way_and_the_top_speed_is_not_exceeded(case: int) -> None:
     x, y, vx, vy, ax, ay = RANDOM.uniform(-9, 9, 6)
     begin, end = sorted(RANDOM.uniform(0, 3, 2))
-    left, bottom, right, top = path_box(x, y, vx, vy, ax, ay, begin, end)
+    left, bottom, right, top = path_box(Path(x, y, vx, vy, ax, ay), begin, end)
     times = np.linspace(begin, end, 200)
     xs, ys = x + vx * times + ax * times**2 / 2, y + vy * times + ay * times**2 / 2
     slack = 1e-9

@@ -12,6 +12,7 @@ from carom.rows.index import ShapeIndex
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.relation import LASTING, PASSING
 from carom.rows.tables import Rows
+from carom.world.kernels.continuous.flight import path_of
 from carom.world.kernels.continuous.foresee import foresee, foresee_all, foresee_shapes
 from carom.world.kernels.continuous.surfaces import impact_in_motion
 from carom.world.kernels.step.relations import add_relation
@@ -46,11 +47,12 @@ def furnished(seed: int, few: bool, broad_phase: str) -> Room:
 def earliest(room: Room, i: int) -> float:
     """When a ball first touches any shape, each asked in turn."""
     ball, flight, first = room.balls.rows[i], room.flights[i], inf
-    way = [float(ball[name]) for name in ("x", "y", "radius", "vx", "vy")]
+    path, radius = path_of(ball, flight), float(ball["radius"])
     for shape in room.shapes.used:
-        fall = float(flight["ax"]), float(flight["ay"]), 1.5
         found = (
-            impact_in_motion(shape, 0.0, *way, *fall, 1.0) if shape["motion"] else impact_at_rest(shape, *way, *fall)
+            impact_in_motion(shape, 0.0, path, radius, 1.5, 1.0)
+            if shape["motion"]
+            else impact_at_rest(shape, path, radius, 1.5)
         )
         first = min(first, inf if found is None else found)
     return first

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Arc, Circle, Point, Segment, Shape
+from carom.geometry.path import Path
 from carom.rows.pose import span_box, surface_velocity
 from carom.world.kernels.continuous.surfaces import (
     gap_to_shape,
@@ -72,7 +73,7 @@ def test_a_ball_touches_where_the_gap_closes_forwards_and_back_in_time(kind: int
         to_x, to_y = out_of_frame(row, 0.6 + sign * 0.5, 1.0, 1.0)
         x, y, ay = to_x + 4 * cos(angle), to_y + 4 * sin(angle), -1.0
         vx, vy = 2 * (to_x - x), 2 * (to_y - y)
-        found = impact_in_motion(row, 0.6, x, y, radius, vx, vy, 0.0, ay, 1.0, sign)
+        found = impact_in_motion(row, 0.6, Path(x, y, vx, vy, 0.0, ay), radius, 1.0, sign)
         if found is None:
             continue
         seen += 1
