@@ -16,7 +16,7 @@ from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
 from carom.world.kernels.continuous.flight import begin_flight, new_flights
 from carom.world.kernels.continuous.spans import many_kinematic, set_shapes_going
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 
 Ball = tuple[float, float, float]
 Pair = tuple[int, int]
@@ -42,10 +42,10 @@ def state_row(balls: Rows, phase: str, levels: int) -> Rows:
     return state
 
 
-def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> list[Pair]:
+def found_pairs(rows: Rows, phase: str, levels: int = 6, arrays: int = 4096) -> list[Pair]:
     """The pairs that a broad phase finds, each from the lower to the higher row, in its order."""
     state = state_row(rows, phase, levels)
-    pairs = np.full((room, 2), -1, "i4")
+    pairs = np.full((arrays, 2), -1, "i4")
     if phase == "brute":
         count = pairs_by_brute_force(state, rows, pairs)
     elif phase == "grid":
@@ -62,56 +62,56 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> li
 
 def prepare_index(world: World, reach: float, span: float = 0.0) -> None:
     """Make the index of a world's shapes for balls up to a radius, as the next step, or span of one, would."""
-    room = world._room
-    room.prepare()
-    state = room.states[0]
+    arrays = world._arrays
+    arrays.prepare()
+    state = arrays.states[0]
     for which in (FIXED, MOVING):
         while not build_index(
             state,
-            room.balls.rows,
-            room.shapes.rows,
-            room.order,
-            room.index,
+            arrays.balls.rows,
+            arrays.shapes.rows,
+            arrays.order,
+            arrays.index,
             which,
             reach,
             span if which == MOVING else 0.0,
-            room.cells,
-            room.members,
+            arrays.cells,
+            arrays.members,
         ):
-            room.extend(2)
+            arrays.extend(2)
 
 
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     """The rows of the shapes that the index gives for a place, in its order."""
-    room = world._room
-    begin, end = cell_span(room.cells, locate(room.index[which], room.cells, x, y))
-    rows: list[int] = room.members[begin:end].tolist()
+    arrays = world._arrays
+    begin, end = cell_span(arrays.cells, locate(arrays.index[which], arrays.cells, x, y))
+    rows: list[int] = arrays.members[begin:end].tolist()
     return rows
 
 
-def shape_index(room: Room) -> ShapeIndex:
+def shape_index(arrays: Arrays) -> ShapeIndex:
     """Where kernels find the shapes near a place."""
-    return room.index, room.cells, room.members
+    return arrays.index, arrays.cells, arrays.members
 
 
-def prepared(world: World) -> Room:
+def prepared(world: World) -> Arrays:
     """The tables of a world as a step finds them that has made the index of its shapes."""
     prepare_index(world, float(world.balls.radius.max(initial=0.0)))
-    return world._room
+    return world._arrays
 
 
-def in_flight(world: World, span: float) -> Room:
+def in_flight(world: World, span: float) -> Arrays:
     """The tables of a continuous world whose balls begin a span, which is a whole step of so many seconds."""
-    room = world._room
-    room.prepare()
-    state = room.states[0]
+    arrays = world._arrays
+    arrays.prepare()
+    state = arrays.states[0]
     state["dt"] = state["span"] = span
-    set_shapes_going(state, room.balls.rows, room.shapes.rows, room.order)
+    set_shapes_going(state, arrays.balls.rows, arrays.shapes.rows, arrays.order)
     prepare_index(world, float(world.balls.radius.max(initial=0.0)), span if many_kinematic(state) else 0.0)
     state["substeps"] = state["steps_left"] = 1
     state["binned"] = state["swept"] = state["queued"] = 0
     state["bin_levels"] = 1
-    new_flights(state, room.flights)
-    for ball, flight in zip(room.balls.used, room.flights, strict=False):
+    new_flights(state, arrays.flights)
+    for ball, flight in zip(arrays.balls.used, arrays.flights, strict=False):
         begin_flight(state, ball, flight)
-    return room
+    return arrays

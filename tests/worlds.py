@@ -149,17 +149,17 @@ def named(world: carom.World, name: str) -> Any:
 
 def starve(world: carom.World) -> None:
     """Take all room from a world that its tables do not need right now, so that it has to grow again."""
-    room = world._room
-    relations = world._room.states[0]["relations"]
+    arrays = world._arrays
+    relations = world._arrays.states[0]["relations"]
     kept = _relations(world)
-    room.hits = room.hits[: int(room.states[0]["hits"]) + 1].copy()
-    room.pairs = room.pairs[:1].copy()
-    room.starts = room.starts[:1].copy()
-    room.cells = room.cells[:1].copy()
-    room.members = room.members[:1].copy()
-    room.relations = room.relations[:2].copy()
+    arrays.hits = arrays.hits[: int(arrays.states[0]["hits"]) + 1].copy()
+    arrays.pairs = arrays.pairs[:1].copy()
+    arrays.starts = arrays.starts[:1].copy()
+    arrays.cells = arrays.cells[:1].copy()
+    arrays.members = arrays.members[:1].copy()
+    arrays.relations = arrays.relations[:2].copy()
     _put_back(world, kept)
-    assert room.states[0]["relations"] == relations
+    assert arrays.states[0]["relations"] == relations
     world._arguments = None
 
 
@@ -167,14 +167,14 @@ def _relations(world: carom.World) -> Any:
     """All relations of a world."""
     from carom.world.removal import relations_in_order
 
-    return relations_in_order(world._room)
+    return relations_in_order(world._arrays)
 
 
 def _put_back(world: carom.World, relations: Any) -> None:
     """Give a world its relations, in as little room as they need."""
     from carom.world.removal import set_relations
 
-    set_relations(world._room, relations)
+    set_relations(world._arrays, relations)
 
 
 def energy(world: carom.World) -> float:

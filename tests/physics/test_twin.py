@@ -153,4 +153,4 @@ def test_the_world_does_what_its_twin_does(seed: int) -> None:
         found = told(world, hits)
         assert [hit[:3] for hit in found] == [hit[:3] for hit in expected]
         assert [hit[3] for hit in found] == pytest.approx([hit[3] for hit in expected], rel=1e-9, abs=1e-11)
-        assert world._room.states[0]["relations"] == len(twin.passing) + len(twin.inside)
+        assert world._arrays.states[0]["relations"] == len(twin.passing) + len(twin.inside)

@@ -48,8 +48,8 @@ def test_the_index_gives_every_shape_that_a_ball_overlaps_in_the_order_of_meetin
     for figure, moving in figures:
         world.add(shape_of(figure, motion="kinematic" if moving else "static"))
     prepare_index(world, radius)
-    room = world._room
-    ranks = {int(row): rank for rank, row in enumerate(room.order)}
+    arrays = world._arrays
+    ranks = {int(row): rank for rank, row in enumerate(arrays.order)}
     for k, angle, share in near:
         x, y = data.draw(strategies.places_on(figures[k % len(figures)][0]))
         x, y = x + share * radius * cos(angle), y + share * radius * sin(angle)
@@ -57,7 +57,7 @@ def test_the_index_gives_every_shape_that_a_ball_overlaps_in_the_order_of_meetin
             found = found_shapes(world, which, x, y)
             assert [ranks[row] for row in found] == sorted(ranks[row] for row in found)
             for row in range(len(figures)):
-                if figures[row][1] is moving and distance_to_shape(room.shapes.rows[row], x, y) < radius:
+                if figures[row][1] is moving and distance_to_shape(arrays.shapes.rows[row], x, y) < radius:
                     assert row in found
 
 

@@ -22,7 +22,7 @@ ball._with("position", 1, xx=2.0)
 wall._row["lenght"]
 wall._set_geometry("p0", (0, 0), ax=0.0, ya=0.0)
 wall._still_row()["pivot"]
-world._room.shapes.row(wall)["centre_x"]
+world._arrays.shapes.row(wall)["centre_x"]
 halt({"time_lift": 1.0})
 CastHits._object(CastHits(0), world, {"shap": 1})
 def fly(flights: Table[FlightRow]) -> float: return flights[0]["event_tme"]

@@ -53,7 +53,7 @@ class Recorder:
         self._scene = Scene.from_world(world)
         self._names = names_in(world)
         self._shape_ids = np.array([shape.id for shape in parts(world.shapes)], np.int64)
-        rows = world._room.shapes.used
+        rows = world._arrays.shapes.used
         self._moving = rows["id"][(rows["motion"] == KINEMATIC) & np.isin(rows["id"], self._shape_ids)].copy()
         self._times: list[float] = []
         self._balls: list[Rows] = []
@@ -96,10 +96,10 @@ class Recorder:
 
     def _take(self) -> None:
         """Note the world as it stands as a frame."""
-        room = self._world._room
+        arrays = self._world._arrays
         self._times.append(self._world.time)
-        self._balls.append(room.balls.used[BALL_FIELDS].copy())
-        shapes = room.shapes.used
+        self._balls.append(arrays.balls.used[BALL_FIELDS].copy())
+        shapes = arrays.shapes.used
         there, places = self._places(shapes["id"], self._moving)
         poses = self._poses[-1].copy() if self._poses else np.zeros((len(self._moving), 3))
         for column, field in enumerate(("pivot_x", "pivot_y", "orientation")):

@@ -31,7 +31,7 @@ def add_balls(world: World, balls: Sequence[BallDescriptor]) -> None:
 
 def described_balls(world: World) -> list[dict[str, Any]]:
     """The tables of a world's balls as they stand now, in their order."""
-    rows = world._room.balls.used
+    rows = world._arrays.balls.used
     fields: dict[str, list[Any]] = {
         "position": list(zip(rows["x"].tolist(), rows["y"].tolist(), strict=True)),
         "velocity": list(zip(rows["vx"].tolist(), rows["vy"].tolist(), strict=True)),

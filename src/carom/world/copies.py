@@ -51,7 +51,7 @@ def shallow(state: dict[str, Any]) -> dict[str, Any]:
 def take_state(world: World, state: dict[str, Any]) -> None:
     """Make a new world the one that a state is of, with the objects in it."""
     for key, member in state["members"].items():
-        member._rejoin(world, world._room.table_of(member), key)
+        member._rejoin(world, world._arrays.table_of(member), key)
     world._objects = dict(state["members"])
     world._added = dict(state["compounds"])
     read_snapshot(world, state["snapshot"])

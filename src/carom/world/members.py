@@ -27,7 +27,7 @@ from carom.world.kernels.step.rollback import was_changed
 from carom.world.link import Link
 from carom.world.removal import remove_rows
 from carom.world.search import Search
-from carom.world.tables import Room, new_balls
+from carom.world.tables import Arrays, new_balls
 from carom.world.views import Balls, Shapes, see_lent
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ NO_BALLS: Rows = np.zeros(0, BALL)
 class Members:
     """The shapes and balls of a `World`: the objects, and the rows that they are views of."""
 
-    _room: Room
+    _arrays: Arrays
     _states: Table[StateRow]
     _search: Search | None
 
@@ -88,7 +88,7 @@ class Members:
         if self._world.remove_strays:
             found = [self._object_of_hit(int(ball), self._left) for ball in self._left["id"]]
             return [ball for ball in found if isinstance(ball, Ball)]
-        rows = self._room.balls.used
+        rows = self._arrays.balls.used
         return (
             [self._ball_of(int(ball)) for ball in rows["id"][rows["stray"] != 0]]
             if self._world.bounds is not None
@@ -121,7 +121,7 @@ class Members:
     def _take_in(self, shapes: Sequence[Any]) -> None:
         """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
-        for table, kind in ((self._room.balls, Ball), (self._room.shapes, Shape)):
+        for table, kind in ((self._arrays.balls, Ball), (self._arrays.shapes, Shape)):
             table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
         for shape, each in zip(shapes, members, strict=True):
             for member in each:
@@ -147,7 +147,7 @@ class Members:
 
     def _enter(self, member: Shape | Ball) -> None:
         """Give a member a row at the end of its table, where there is room for it."""
-        table = self._room.table_of(member)
+        table = self._arrays.table_of(member)
         place = table.count
         table.rows[place]["id"] = self._next_ids(1)[0]
         table.count += 1
@@ -197,7 +197,7 @@ class Members:
             position, velocity, radius, mass, elasticity, friction, layer, collides_with, sensor, can_collide
         )
         count = len(rows)
-        table = self._room.balls
+        table = self._arrays.balls
         table.reserve(table.count + count, doubling=False)
         rows["id"] = self._next_ids(count)
         table.rows[table.count : table.count + count] = rows
@@ -218,15 +218,15 @@ class Members:
             InvalidArgument: One of them is not in this world, or is part of a compound. None has been taken out then.
         """
         leavers = leaving(self, shapes)
-        gone = {table: self._none_of(table.count) for table in (self._room.balls, self._room.shapes)}
+        gone = {table: self._none_of(table.count) for table in (self._arrays.balls, self._arrays.shapes)}
         for members in leavers:
             self._added.pop(members[0].id or 0, None)
             self._listed = []
             for member in members:
-                table = self._room.table_of(member)
+                table = self._arrays.table_of(member)
                 gone[table][table.index(member)] = True
         if leavers:
-            self._remove(gone[self._room.balls], gone[self._room.shapes])
+            self._remove(gone[self._arrays.balls], gone[self._arrays.shapes])
 
     @staticmethod
     def _none_of(count: int) -> NDArray[np.bool_]:
@@ -235,13 +235,13 @@ class Members:
 
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
         """Detach the objects of rows and take the rows out."""
-        for table, gone in ((self._room.balls, balls), (self._room.shapes, shapes)):
+        for table, gone in ((self._arrays.balls, balls), (self._arrays.shapes, shapes)):
             for member_id in table.used["id"][gone]:
                 member = self._objects.pop(int(member_id), None)
                 if member is not None:
                     member._leave()
                     self._departed.add(int(member_id), member)
-        remove_rows(self._room, balls, shapes)
+        remove_rows(self._arrays, balls, shapes)
         self._rearrange()
 
     def object(self, member_id: int) -> Shape | Ball:
@@ -258,9 +258,9 @@ class Members:
         """The object of a ball's row, made now if it was not asked for before."""
         ball = self._objects.get(ball_id)
         if ball is None:
-            place = self._room.balls.find(ball_id)
+            place = self._arrays.balls.find(ball_id)
             # Of two threads that ask for it at once, both are given the same.
-            ball = self._objects.setdefault(ball_id, Ball._of_row(self, self._room.balls, ball_id, place))
+            ball = self._objects.setdefault(ball_id, Ball._of_row(self, self._arrays.balls, ball_id, place))
         assert isinstance(ball, Ball)
         return ball
 
@@ -287,7 +287,7 @@ class Members:
         state["wake"] = 1
         if isinstance(member, Ball):
             return
-        moving = self._room.order[int(state["fixed"]) :]
+        moving = self._arrays.order[int(state["fixed"]) :]
         if self._arguments is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
             state["moving_stale"] = 1
         else:
@@ -311,5 +311,5 @@ class Members:
         see_lent(self._world)
         if state["wake"] or not state["sleeping"]:
             return bool(state["wake"])
-        state["balls"] = self._room.balls.count
-        return was_changed(state, self._room.balls.rows, self._room.saved)
+        state["balls"] = self._arrays.balls.count
+        return was_changed(state, self._arrays.balls.rows, self._arrays.saved)

@@ -298,7 +298,7 @@ class Queries:
         [(True, 0.25)]
         """
         queries, _ = _queries(_masks(layer, collides_with, sensors), (0.0, 0.0))
-        count = self._world._room.balls.count
+        count = self._world._arrays.balls.count
         rows = np.zeros(count + 16, CONTACT)
         rows = self._ask_for_all(overlaps_of_balls, count, queries, rows)
         return Contacts.of(self._world, rows[np.lexsort((rows["shape"], rows["ball"]))])
@@ -354,16 +354,16 @@ class Queries:
             raise checks.refuse("ball", "must be at a finite place", ball)
         casts, found = self._casts(queries)
         aims = Aims.of(self._world, np.zeros(len(queries), AIM))
-        room = self._world._room
-        total = bool(room.states[0]["total_restitution"])
+        arrays = self._world._arrays
+        total = bool(arrays.states[0]["total_restitution"])
         door.load(aim_many)(
-            queries, casts, found, places, ways, room.shapes.used, room.balls.used, total, aims.view(np.ndarray)
+            queries, casts, found, places, ways, arrays.shapes.used, arrays.balls.used, total, aims.view(np.ndarray)
         )
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
 
     def _places(self, ball: Any) -> int | NDArray[np.int64]:
         """The row of a ball, or those of several."""
-        table = self._world._room.balls
+        table = self._world._arrays.balls
         if isinstance(ball, Ball):
             if ball.world is not self:
                 raise checks.refuse("ball", "must be in this world", ball)
@@ -379,9 +379,9 @@ class Queries:
 
     def _shots(self, places: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
         """The casts of balls in directions, so long that they leave everything behind."""
-        room = self._world._room
-        width = door.load(width_of_all)(room.shapes.used, room.balls.used)
-        balls = room.balls.used[places]
+        arrays = self._world._arrays
+        width = door.load(width_of_all)(arrays.shapes.used, arrays.balls.used)
+        balls = arrays.balls.used[places]
         queries = np.zeros(len(places), QUERY)
         queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
         # A ball that collides with nothing, or is a sensor, is stopped by nothing.
@@ -401,11 +401,11 @@ class Queries:
 
     def _ask(self, kernel: Kernel, count: int, queries: Rows, *answers: Rows) -> int:
         """What a kernel says to some queries, which look around `count` times; it writes to `answers`."""
-        room = self._world._room
-        if self._search is None or not self._search.is_of(room):
-            self._search = Search(room)
+        arrays = self._world._arrays
+        if self._search is None or not self._search.is_of(arrays):
+            self._search = Search(arrays)
         grids, stamps = self._search.grids(count), self._search.stamps()
-        return int(door.load(kernel)(queries, room.shapes.used, room.balls.used, *grids, stamps, *answers))
+        return int(door.load(kernel)(queries, arrays.shapes.used, arrays.balls.used, *grids, stamps, *answers))
 
     def _ask_for_all(self, kernel: Kernel, count: int, queries: Rows, rows: Rows) -> Rows:
         """The rows that a kernel finds for queries; it is asked again where it needs more of them than in `rows`."""

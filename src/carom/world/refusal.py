@@ -7,17 +7,17 @@ from carom.rows.ball import OF_WORLD
 from carom.rows.state import NOT_FINITE, REFUSED
 from carom.rows.tables import Rows
 from carom.world.kernels.step.rollback import is_measured, is_sound
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 
 
-def refusal(status: int, room: Room) -> InvalidArgument | NonFiniteState:
+def refusal(status: int, arrays: Arrays) -> InvalidArgument | NonFiniteState:
     """The exception for a step that came back with `status`; everything is as it was before the step."""
-    balls = room.balls.used
+    balls = arrays.balls.used
     if status == REFUSED:
         return _not_allowed(balls)
     assert status == NOT_FINITE
     bad = balls[[not (is_sound(row) and is_measured(row)) for row in balls]]
-    which = f"balls {_ids(bad)} are not finite" if len(bad) else _overflowed(room)
+    which = f"balls {_ids(bad)} are not finite" if len(bad) else _overflowed(arrays)
     return NonFiniteState(f"{which}; the world is as it was before the step")
 
 
@@ -34,11 +34,11 @@ def _not_allowed(balls: Rows) -> InvalidArgument:
     return InvalidArgument(f"{name} {must}, not {float(balls[name][bad][0])} as for balls {_ids(balls[bad])}")
 
 
-def _overflowed(room: Room) -> str:
+def _overflowed(arrays: Arrays) -> str:
     """What was not finite any more when a step was undone, in words."""
-    balls = room.balls.used[room.saved[: room.balls.count]["overflowed"] != 0]
-    kinematic = room.shapes.count - int(room.states[0]["fixed"])
-    copies = room.shapes.rows[room.shapes.count : room.shapes.count + kinematic]
+    balls = arrays.balls.used[arrays.saved[: arrays.balls.count]["overflowed"] != 0]
+    kinematic = arrays.shapes.count - int(arrays.states[0]["fixed"])
+    copies = arrays.shapes.rows[arrays.shapes.count : arrays.shapes.count + kinematic]
     shapes = copies[copies["spare"] != 0]
     names = [f"{kind} {_ids(rows)}" for kind, rows in (("balls", balls), ("shapes", shapes)) if len(rows)]
     return " and ".join(names) + " became infinite in the step"

@@ -11,66 +11,66 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, Relation
 from carom.rows.tables import Numbered
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 
 #: A relation outside of the pool: kind, row of the ball, row of the other.
 Relation = tuple[int, int, int]
 
 
-def relations_in_order(room: Room) -> list[Relation]:
+def relations_in_order(arrays: Arrays) -> list[Relation]:
     """All relations, ball by ball, each ball's from the last added to the first."""
     found: list[Relation] = []
-    if room.states[0]["relations"] > 0:
-        balls = room.balls.used
+    if arrays.states[0]["relations"] > 0:
+        balls = arrays.balls.used
         for i in np.flatnonzero(balls["relation"] != NO_RELATION):
             place = int(balls[i]["relation"])
             while place != NO_RELATION:
-                relation: RelationRow = room.relations[place]
+                relation: RelationRow = arrays.relations[place]
                 found.append((int(relation["kind"]), int(i), int(relation["other"])))
                 place = int(relation["next"])
     return found
 
 
-def set_relations(room: Room, relations: list[Relation]) -> None:
+def set_relations(arrays: Arrays, relations: list[Relation]) -> None:
     """Replace all relations by these, which stand in the order of `relations_in_order`."""
-    state = room.states[0]
+    state = arrays.states[0]
     state["relations"] = state["relations_high"] = 0
     state["free_relation"] = NO_RELATION
-    room.balls.used["relation"] = NO_RELATION
-    room.extend_relations(len(relations))
+    arrays.balls.used["relation"] = NO_RELATION
+    arrays.extend_relations(len(relations))
     for kind, ball, other in reversed(relations):
-        add_relation(state, room.relations, room.balls.rows[ball], ball, kind, other)
+        add_relation(state, arrays.relations, arrays.balls.rows[ball], ball, kind, other)
 
 
-def remove_rows(room: Room, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
+def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
     """Take out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now."""
     kept: list[Relation] = []
     new_ball = np.cumsum(~balls) - 1
     new_shape = np.cumsum(~shapes) - 1
-    for kind, ball, other in relations_in_order(room):
-        others, gone = (room.balls.used, balls) if kind == INSIDE_BALL else (room.shapes.used, shapes)
+    for kind, ball, other in relations_in_order(arrays):
+        others, gone = (arrays.balls.used, balls) if kind == INSIDE_BALL else (arrays.shapes.used, shapes)
         if balls[ball] or gone[other]:
             if kind in (INSIDE_SHAPE, INSIDE_BALL):
-                _exit(room, room.balls.used[ball], others[other])
+                _exit(arrays, arrays.balls.used[ball], others[other])
         else:
             moved = new_ball if kind == INSIDE_BALL else new_shape
             kept.append((kind, int(new_ball[ball]), int(moved[other])))
-    asleep = int(np.count_nonzero(room.balls.used["asleep"][balls]))
-    room.states[0]["sleeping"] -= asleep
-    if len(room.saved) >= len(balls):
-        still = room.saved[: len(balls)][~balls]
-        room.saved[: len(still)] = still
-    room.balls.drop(balls)
-    room.shapes.drop(shapes)
-    set_relations(room, kept)
+    asleep = int(np.count_nonzero(arrays.balls.used["asleep"][balls]))
+    arrays.states[0]["sleeping"] -= asleep
+    if len(arrays.saved) >= len(balls):
+        still = arrays.saved[: len(balls)][~balls]
+        arrays.saved[: len(still)] = still
+    arrays.balls.drop(balls)
+    arrays.shapes.drop(shapes)
+    set_relations(arrays, kept)
 
 
-def _exit(room: Room, ball: BallRow, other: Numbered) -> None:
+def _exit(arrays: Arrays, ball: BallRow, other: Numbered) -> None:
     """Record that a ball left a sensor."""
-    state = room.states[0]
-    if state["hits"] >= len(room.hits):
+    state = arrays.states[0]
+    if state["hits"] >= len(arrays.hits):
         state["wanted_hits"] = state["hits"] + 1
-        room.extend_hits()
+        arrays.extend_hits()
     write_hit(
-        state, room.hits.view(HIT_ROW)[state["hits"]], float(state["time"]), EXIT, int(ball["id"]), int(other["id"])
+        state, arrays.hits.view(HIT_ROW)[state["hits"]], float(state["time"]), EXIT, int(ball["id"]), int(other["id"])
     )

@@ -10,7 +10,7 @@ from carom.rows.query import SEARCH_GRID
 from carom.rows.shape import STATIC
 from carom.rows.tables import Rows
 from carom.world.kernels.queries.search_grid import build_search_grid
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 
 #: The width of the one cell of a grid that is a plain list: beyond everything.
 WHOLE = 1e300
@@ -25,12 +25,12 @@ def list_of(items: Rows) -> Grid:
     return grid, np.array([0, len(items)], "i4"), items
 
 
-def grid_of(room: Room, items: Rows) -> Grid:
+def grid_of(arrays: Arrays, items: Rows) -> Grid:
     """A grid of many cells, which hold the items that come into each."""
     grid = np.zeros(1, SEARCH_GRID)
     starts = np.zeros((3 * int(SEARCH_CELLS_PER_ITEM) + 2) * len(items) + 2, "i4")
     members = np.zeros((int(SEARCH_MARKS_PER_ITEM) + 1) * len(items), "i4")
-    door.load(build_search_grid)(grid, room.shapes.used, room.balls.used, items, starts, members)
+    door.load(build_search_grid)(grid, arrays.shapes.used, arrays.balls.used, items, starts, members)
     return grid, starts, members
 
 
@@ -40,30 +40,30 @@ class Search:
     A world drops it when shapes or balls come or go, and when a static shape may have changed.
     """
 
-    def __init__(self, room: Room) -> None:
-        self._room = room
-        self._tables = room.shapes.rows, room.balls.rows
-        still = room.shapes.used["motion"] == STATIC
-        balls = np.arange(-1, -1 - room.balls.count, -1, dtype="i4")
+    def __init__(self, arrays: Arrays) -> None:
+        self._arrays = arrays
+        self._tables = arrays.shapes.rows, arrays.balls.rows
+        still = arrays.shapes.used["motion"] == STATIC
+        balls = np.arange(-1, -1 - arrays.balls.count, -1, dtype="i4")
         self._still = list_of(np.flatnonzero(still).astype("i4"))
         self._lively = list_of(np.append(np.flatnonzero(~still).astype("i4"), balls))
         self._scans = 0
         self._gridded = not still.any()
 
-    def is_of(self, room: Room) -> bool:
-        """Whether the room still has the tables that it had, and no others that were restored."""
-        return self._tables[0] is room.shapes.rows and self._tables[1] is room.balls.rows
+    def is_of(self, arrays: Arrays) -> bool:
+        """Whether the arrays still have the tables that they had, and no others that were restored."""
+        return self._tables[0] is arrays.shapes.rows and self._tables[1] is arrays.balls.rows
 
     def grids(self, queries: int) -> tuple[Rows, ...]:
         """The two grids, as the kernels take them, for a number of queries."""
         self._scans += queries
         if self._scans > SEARCH_SCANS and not self._gridded:
-            self._still = grid_of(self._room, self._still[2])
+            self._still = grid_of(self._arrays, self._still[2])
             self._gridded = True
         if queries > SEARCH_SCANS and len(self._lively[2]):
-            return (*self._still, *grid_of(self._room, self._lively[2]))
+            return (*self._still, *grid_of(self._arrays, self._lively[2]))
         return (*self._still, *self._lively)
 
     def stamps(self) -> Rows:
         """A 0 for every shape and ball."""
-        return np.zeros(self._room.shapes.count + self._room.balls.count, "i4")
+        return np.zeros(self._arrays.shapes.count + self._arrays.balls.count, "i4")

@@ -50,20 +50,20 @@ def _hash(payload: bytes) -> bytes:
 
 def _payload(world: World) -> bytes:
     """The arrays of a snapshot, one after the other."""
-    room = world._room
-    state = np.array([room.states[0]], STATE)
-    state["balls"], state["shapes"] = room.balls.count, room.shapes.count
+    arrays = world._arrays
+    state = np.array([arrays.states[0]], STATE)
+    state["balls"], state["shapes"] = arrays.balls.count, arrays.shapes.count
     state["wake"] = world._will_wake()
     for field in DERIVED:
         state[field] = 0
-    balls = room.balls.used.copy()
+    balls = arrays.balls.used.copy()
     balls["relation"] = NO_RELATION
     for field in ("sensor", "can_collide"):
         balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
-    relations = np.array(relations_in_order(room), "i8").reshape(-1, 3)
+    relations = np.array(relations_in_order(arrays), "i8").reshape(-1, 3)
     text = np.frombuffer(json.dumps(_header(world), sort_keys=True).encode(), "u1")
     file = io.BytesIO()
-    for array in (text, state, balls, room.shapes.used, relations, room.hits[: int(room.states[0]["hits"])]):
+    for array in (text, state, balls, arrays.shapes.used, relations, arrays.hits[: int(arrays.states[0]["hits"])]):
         np.save(file, array, allow_pickle=False)
     return file.getvalue()
 
@@ -110,21 +110,21 @@ def _read(snapshot: Any) -> Contents:
 def read_snapshot(world: World, snapshot: bytes) -> None:
     """Make a world what the snapshot says, or raise `SnapshotError` and leave it as it was."""
     contents = _read(snapshot)
-    room = world._room
+    arrays = world._arrays
     kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
     kinds.update({int(key): Ball._KIND for key in contents.balls["id"]})
     left = [member for key, member in list(world._objects.items()) if kinds.get(key) != member._KIND]
     world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
     for member in left:
         member._leave()
-    for table, rows in ((room.balls, contents.balls), (room.shapes, contents.shapes)):
+    for table, rows in ((arrays.balls, contents.balls), (arrays.shapes, contents.shapes)):
         table.rows = rows.copy()
         table.count = len(rows)
-    room.states[0] = contents.state[0]
-    room.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
-    room.states[0]["hits"] = len(contents.hits)
-    set_relations(room, contents.relation_list)
-    room.prepare()
+    arrays.states[0] = contents.state[0]
+    arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
+    arrays.states[0]["hits"] = len(contents.hits)
+    set_relations(arrays, contents.relation_list)
+    arrays.prepare()
     _keep_saved(world)
     # Ids that were given after the snapshot was taken will be given again, to others.
     world._departed = Departed()
@@ -137,9 +137,9 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
 
 def _keep_saved(world: World) -> None:
     """Fill the copy by which the next step sees whether balls were changed through views."""
-    room = world._room
+    arrays = world._arrays
     for field in ("x", "y", "vx", "vy"):
-        room.saved[field][: room.balls.count] = room.balls.used[field]
+        arrays.saved[field][: arrays.balls.count] = arrays.balls.used[field]
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:
@@ -148,7 +148,7 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
         key = int(row["id"])
         if key not in world._objects:
             shape_class = SHAPE_CLASSES[int(row["kind"])]
-            world._objects[key] = shape_class._of_row(world, world._room.shapes, key)
+            world._objects[key] = shape_class._of_row(world, world._arrays.shapes, key)
     for member in list(world._objects.values()):
         member._name = None
     for key, name in contents.header["names"].items():

@@ -1,4 +1,4 @@
-"""The rows of a world, in tables that grow, and the scratch room of its kernels."""
+"""The rows of a world, in tables that grow, and the scratch arrays of its kernels."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def grown(rows: Rows, capacity: int, keep: int) -> Rows:
     return larger
 
 
-class Room:
+class Arrays:
     """All arrays that a step's kernel works on, in the order of its arguments."""
 
     def __init__(self) -> None:

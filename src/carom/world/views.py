@@ -32,7 +32,7 @@ class Balls(Sequence["Ball"]):
         self._world = world
 
     def __len__(self) -> int:
-        return self._world._room.balls.count
+        return self._world._arrays.balls.count
 
     @overload
     def __getitem__(self, index: int) -> Ball: ...
@@ -60,7 +60,7 @@ class Balls(Sequence["Ball"]):
 
     def _two_columns(self, field: str) -> NDArray[np.float64]:
         """The view, with the world to itself."""
-        rows = self._world._room.balls.used
+        rows = self._world._arrays.balls.used
         columns: Any = BALL.fields
         first = columns[field][1] // 8
         pairs: NDArray[np.float64] = rows.view(np.float64).reshape(len(rows), BALL.itemsize // 8)[:, first : first + 2]
@@ -83,12 +83,12 @@ class Balls(Sequence["Ball"]):
     def _lent_column(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
         """The column, with the world to itself."""
         lend(self._world)
-        column: NDArray[Any] = self._world._room.balls.used[field].view(dtype)
+        column: NDArray[Any] = self._world._arrays.balls.used[field].view(dtype)
         return column
 
     def _shown(self, field: str, dtype: type[np.generic]) -> NDArray[Any]:
         """A column that cannot be written to."""
-        column: NDArray[Any] = self._world._room.balls.used[field].view(dtype)
+        column: NDArray[Any] = self._world._arrays.balls.used[field].view(dtype)
         column.flags.writeable = False
         return column
 
@@ -159,13 +159,13 @@ def lend(world: World) -> None:
 
 def note_lent(world: World) -> None:
     """Note the lent columns; none of them while no ball sleeps, for then a change has nobody to wake."""
-    rows = world._room.balls.used
+    rows = world._arrays.balls.used
     world._lent = rows[LENT].copy() if world._states[0]["sleeping"] else rows[LENT][:0]
 
 
 def see_lent(world: World) -> None:
     """Wake all balls if columns that were lent have been written to."""
-    lent, rows = world._lent, world._room.balls.used
+    lent, rows = world._lent, world._arrays.balls.used
     if lent is None or not world._states[0]["sleeping"]:
         return
     if len(lent) != len(rows):

@@ -30,7 +30,7 @@ from carom.world.refusal import refusal
 from carom.world.settings import SETTINGS, Settings, Sides
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
-from carom.world.tables import Room, clear_kernel_place
+from carom.world.tables import Arrays, clear_kernel_place
 from carom.world.views import note_lent, see_lent
 
 #: The kernel of each detection's step.
@@ -79,8 +79,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         remove_strays: bool = False,
     ) -> None:
         given = locals()
-        self._room = Room()
-        self._states = self._room.states
+        self._arrays = Arrays()
+        self._states = self._arrays.states
         self._states[0]["free_relation"] = NO_RELATION
         self._states[0]["next_id"] = 1
         self._forget_objects()
@@ -189,7 +189,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
         """Leave the hits of a run that was interrupted to the next step or run."""
-        self._room.give_back(_joined(parts))
+        self._arrays.give_back(_joined(parts))
         self._arguments = None
         for rows in gone:
             self._departed.keep_balls(rows)
@@ -200,8 +200,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             see_lent(self)
         state = self._states[0]
         if self._arguments is None:
-            self._room.prepare()
-            self._arguments = self._room.arguments()
+            self._arrays.prepare()
+            self._arguments = self._arrays.arguments()
         kernel = door.load(STEP_KERNELS[state["detection"]])
         if dt != self._dt:
             state["dt"] = self._dt = dt
@@ -236,7 +236,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         count = int(state["hits"])
         if count == 0:
             return NO_ROWS
-        rows = self._room.hits[:count].copy()
+        rows = self._arrays.hits[:count].copy()
         state["hits"] = 0
         # A ball in flight finds out that it has left a sensor only later.
         if (np.diff(rows["time"]) < 0.0).any():
@@ -246,23 +246,23 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def _serve(self, status: int) -> None:
         """Do what a kernel that came back needs before it can go on, or raise."""
         if status in (NEEDS_ROOM, NEEDS_PAIRS):
-            self._room.extend(status)
+            self._arrays.extend(status)
         elif status == HAS_STRAYS:
-            rows = self._room.balls.used
+            rows = self._arrays.balls.used
             strays = rows["stray"] != 0
             self._removed.append(rows[strays].copy())
-            self._remove(strays, self._none_of(self._room.shapes.count))
-            self._room.prepare()
+            self._remove(strays, self._none_of(self._arrays.shapes.count))
+            self._arrays.prepare()
         else:
-            error = refusal(status, self._room)
+            error = refusal(status, self._arrays)
             error.hits = self._take_hits()
             raise error
-        self._arguments = self._room.arguments()
+        self._arguments = self._arrays.arguments()
 
     def _roll_back(self) -> None:
         """Undo the part of a step that was interrupted in the interpreter."""
-        room = self._room
-        roll_back(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
+        arrays = self._arrays
+        roll_back(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
 
     # -- state -------------------------------------------------------------------------------------------------------
 

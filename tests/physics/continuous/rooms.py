@@ -22,7 +22,7 @@ exact_world = partial(continuous_world, substeps=1, rest_speed=0.0)
 def add_loners(world: carom.World, position: ArrayLike, velocity: ArrayLike, radius: ArrayLike) -> None:
     """Add balls that meet shapes but not each other."""
     world.add_balls(position, velocity, radius=radius)
-    rows = world._room.balls.used
+    rows = world._arrays.balls.used
     rows["layer"], rows["collides_with"] = 2, 1
 
 

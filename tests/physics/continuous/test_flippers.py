@@ -158,7 +158,7 @@ def test_nothing_gets_into_a_flipper(spin: float, elasticity: float) -> None:
     angle, away = rng.uniform(0.4, 2 * pi - 0.4, count), rng.uniform(1, 7.5, count)
     radius = rng.uniform(0.05, 0.3, count)
     world.add_balls(np.stack([away * np.cos(angle), away * np.sin(angle)], 1), radius=radius, elasticity=elasticity)
-    world._room.balls.used["layer"], world._room.balls.used["collides_with"] = 2, 1
+    world._arrays.balls.used["layer"], world._arrays.balls.used["collides_with"] = 2, 1
     turned = 0.0
     for _ in range(150):
         turn = rng.uniform(0.01, 2.5)

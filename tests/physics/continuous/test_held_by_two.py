@@ -65,7 +65,7 @@ def test_a_push_is_short_and_stops_at_a_wall(aim: tuple[float, float], expected:
     world.step(0.01)
     _states, balls, shapes, _order, index, cells, members = world._arguments[:7]
     balls[0]["x"], balls[0]["y"] = aim
-    keep_push_out(balls[0], shapes, (index, cells, members), world._room.relations, 0.0, 0.6)
+    keep_push_out(balls[0], shapes, (index, cells, members), world._arrays.relations, 0.0, 0.6)
     assert (balls[0]["x"], balls[0]["y"]) == pytest.approx(expected)
 
 

@@ -21,7 +21,7 @@ falling_world = partial(continuous_world, gravity=(0.0, -G))
 
 def held(world: World) -> int:
     """How many contacts last."""
-    used = world._room.relations[: int(world._states[0]["relations_high"])]
+    used = world._arrays.relations[: int(world._states[0]["relations_high"])]
     return int(((used["kind"] == LASTING) & (used["ball"] >= 0)).sum())
 
 

@@ -37,7 +37,7 @@ def test_a_flipper_wakes_what_sleeps_on_it_before_it_goes_through(spin: float) -
     world.run(1)
     assert asleep(world) == 1
     # No setter wakes it: the flipper's own way does.
-    world._room.shapes.rows[0]["angular_velocity"] = spin
+    world._arrays.shapes.rows[0]["angular_velocity"] = spin
     hits = world.step(1 / 60)
     assert asleep(world) == 0
     assert len(hits) >= 1
@@ -51,7 +51,7 @@ def test_a_bar_meets_a_sleeping_ball_in_its_way(spin: float) -> None:
     ball = world.add(Ball((0, 2), 0.25))
     world.run(1)
     assert asleep(world) == 1
-    world._room.shapes.rows[0]["angular_velocity"] = spin
+    world._arrays.shapes.rows[0]["angular_velocity"] = spin
     assert len(world.run(2 / spin, dt=0.1 / spin)) == 1
     assert ball.velocity[0] < 0
 
@@ -61,7 +61,7 @@ def test_a_ball_wakes_another_that_it_hits() -> None:
     still = world.add(Ball((0, 0), 0.5))
     world.run(1)
     assert asleep(world) == 1
-    world._room.balls.rows[0]["asleep"] = 1
+    world._arrays.balls.rows[0]["asleep"] = 1
     runner = world.add(Ball((-20, 0), 0.5, velocity=(10, 0)))
     assert len(world.run(3)) == 1
     assert still.velocity == (10, 0)

@@ -27,7 +27,7 @@ def test_a_frame_is_the_world_as_it_stood() -> None:
         assert recording.ids.tolist() == twin.balls.id.tolist()
         assert np.array_equal(recording.positions[frame], twin.balls.position)
         assert np.array_equal(recording.velocities[frame], twin.balls.velocity)
-        assert recording.asleep[frame].tolist() == twin._room.balls.used["asleep"].astype(bool).tolist()
+        assert recording.asleep[frame].tolist() == twin._arrays.balls.used["asleep"].astype(bool).tolist()
         twin.step(DT)
     assert recording.radii.tolist() == [ball.radius for ball in twin.balls]
     assert recording.masses.tolist() == [ball.mass for ball in twin.balls]

@@ -28,7 +28,7 @@ def test_two_meet_iff_each_is_on_a_layer_that_the_other_meets(
     ball = world.add(Ball((0, 0.9), radius=1, velocity=(0, -1), layer=second[0], collides_with=second[1]))
     assert (len(world.step(0.1)) == 1) is meets
     assert (ball.velocity == (0, -1)) is not meets
-    rows = world._room.balls.rows if kind == "ball" else world._room.shapes.rows
+    rows = world._arrays.balls.rows if kind == "ball" else world._arrays.shapes.rows
     assert may_collide(rows[0], ball._row) is meets
 
 

@@ -58,7 +58,7 @@ def test_add_balls_makes_what_constructors_make(values: dict[str, list[Any]]) ->
     ]
     singly.remove(*singly.balls)
     singly.add(*balls)
-    together_rows, singly_rows = together._room.balls.used.copy(), singly._room.balls.used.copy()
+    together_rows, singly_rows = together._arrays.balls.used.copy(), singly._arrays.balls.used.copy()
     together_rows["id"] = singly_rows["id"] = 0
     assert together_rows.tobytes() == singly_rows.tobytes()
     for name, given_values in values.items():

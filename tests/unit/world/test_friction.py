@@ -30,7 +30,7 @@ def rolled(worlds: float, balls: list[float | None], detection: str, steps: int 
 
 def seen(world: World) -> tuple[bytes, ...]:
     """All that friction acts on, to the bit."""
-    rows = world._room.balls.used
+    rows = world._arrays.balls.used
     return tuple(rows[name].tobytes() for name in ("x", "y", "vx", "vy", "still_time", "asleep"))
 
 

@@ -60,13 +60,13 @@ def test_a_state_that_is_not_finite_is_refused_and_left_as_it_was(state: str, br
     world = overflowing(state)
     world.broad_phase = broad_phase
     digest, statistics = world.digest(), world.statistics.as_dict()
-    rows = world._room.balls.used.tobytes(), world._room.shapes.used.tobytes()
+    rows = world._arrays.balls.used.tobytes(), world._arrays.shapes.used.tobytes()
     for _ in range(2):
         with pytest.raises(carom.NonFiniteState) as caught:
             world.step(1 / 60 if state == "bounce" else 60.0)
         assert world.digest() == digest
         assert world.statistics.as_dict() == statistics
-        assert (world._room.balls.used.tobytes(), world._room.shapes.used.tobytes()) == rows
+        assert (world._arrays.balls.used.tobytes(), world._arrays.shapes.used.tobytes()) == rows
     assert len(caught.value.hits) == 0
     assert re.match(told(state, world), str(caught.value))
 

@@ -182,10 +182,10 @@ def put_to_sleep(world: World, ball: Ball) -> None:
     """Make a ball sleep from within, so that nothing wakes it as changed from outside."""
     row = ball._row
     row["asleep"], row["still_time"], row["vx"], row["vy"] = 1, world.sleep_time, 0.0, 0.0
-    room = world._room
-    room.states[0]["sleeping"] += 1
+    arrays = world._arrays
+    arrays.states[0]["sleeping"] += 1
     for field in ("x", "y", "vx", "vy"):
-        room.saved[field][: room.balls.count] = room.balls.used[field]
+        arrays.saved[field][: arrays.balls.count] = arrays.balls.used[field]
 
 
 def pile(iterations: int) -> tuple[World, Ball, Ball]:

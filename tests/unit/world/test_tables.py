@@ -6,7 +6,7 @@ import pytest
 import carom
 from carom.rows.ball import BALL
 from carom.rows.shape import SHAPE
-from carom.world.tables import Room, WorldTable, grown
+from carom.world.tables import Arrays, WorldTable, grown
 
 
 def table_of(ids: list[int]) -> WorldTable:
@@ -51,7 +51,7 @@ def test_room_is_doubled_unless_told_otherwise() -> None:
 def test_many_balls_take_no_more_rows_than_they_need() -> None:
     world = carom.World()
     world.add_balls(np.zeros((1000, 2)), radius=1.0)
-    assert len(world._room.balls.rows) == 1000
+    assert len(world._arrays.balls.rows) == 1000
 
 
 def test_shapes_are_met_in_the_order_of_motion_then_kind_then_adding() -> None:
@@ -69,21 +69,21 @@ def test_shapes_are_met_in_the_order_of_motion_then_kind_then_adding() -> None:
     for shape in given:
         world.add(shape)
     world.step(0.1)
-    order = [given[row] for row in world._room.order]
+    order = [given[row] for row in world._arrays.order]
     kinds = ["point", "point", "segment", "gate", "circle", "arc", "point", "segment"]
     assert [shape.kind for shape in order] == kinds
     assert order[0] is given[6]
-    assert world._room.states[0]["fixed"] == 6
+    assert world._arrays.states[0]["fixed"] == 6
 
 
 def test_hits_that_are_given_back_come_first() -> None:
-    room = Room()
-    room.hits["time"][:2] = [3.0, 4.0]
-    room.states[0]["hits"] = 2
-    early = np.zeros(2, room.hits.dtype)
+    arrays = Arrays()
+    arrays.hits["time"][:2] = [3.0, 4.0]
+    arrays.states[0]["hits"] = 2
+    early = np.zeros(2, arrays.hits.dtype)
     early["time"] = [1.0, 2.0]
-    room.give_back(early)
-    assert room.hits["time"][: room.states[0]["hits"]].tolist() == [1, 2, 3, 4]
+    arrays.give_back(early)
+    assert arrays.hits["time"][: arrays.states[0]["hits"]].tolist() == [1, 2, 3, 4]
 
 
 def test_no_row_has_padding() -> None:

@@ -145,7 +145,7 @@ def test_columns_read_what_the_objects_say(name: str) -> None:
 def test_columns_are_the_worlds_own_memory_and_can_be_written_to(name: str) -> None:
     world = filled()
     column = getattr(world.balls, name)
-    assert np.shares_memory(column, world._room.balls.rows)
+    assert np.shares_memory(column, world._arrays.balls.rows)
     column[1] = 7.5
     value = getattr(world.balls[1], name)
     assert value == ((7.5, 7.5) if name in ("position", "velocity") else 7.5)
@@ -158,7 +158,7 @@ def test_columns_are_the_worlds_own_memory_and_can_be_written_to(name: str) -> N
 def test_ids_can_be_read_alone() -> None:
     world = filled()
     assert world.balls.id.tolist() == [ball.id for ball in world.balls]
-    assert np.shares_memory(world.balls.id, world._room.balls.rows)
+    assert np.shares_memory(world.balls.id, world._arrays.balls.rows)
     with pytest.raises(ValueError, match="read-only"):
         world.balls.id[0] = 9
     assert world.balls[0].position == (0, 0)

@@ -52,7 +52,7 @@ class Ways(dict[int, deque[tuple[float, bool, float, float]]]):
             bounces = bounces[np.isin(bounces["ball"], ids) | np.isin(bounces["shape"], ids)]
         met = {*bounces["ball"].tolist(), *bounces["shape"].tolist()}
         # Not the column of radii: that may be written to, so those who ask for it wake the balls that sleep.
-        radii = world._room.balls.used["radius"][which].tolist()
+        radii = world._arrays.balls.used["radius"][which].tolist()
         for ball, radius, (x, y) in zip(ids.tolist(), radii, centers, strict=True):
             way = self.setdefault(ball, deque())
             if ball in met:

@@ -53,7 +53,7 @@ class Partition:
 def partition_of(world: World) -> Partition:
     """How the broad phase of `world`, as it is set now, divides the room, for balls as large as the largest."""
     scene = Scene(world=described_world(world), shapes=list(world.shapes))
-    return partition(scene, float(world._room.balls.used["radius"].max(initial=0.0)))
+    return partition(scene, float(world._arrays.balls.used["radius"].max(initial=0.0)))
 
 
 def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:
@@ -63,15 +63,24 @@ def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:
 
 def partition(scene: Scene, reach: float) -> Partition:
     """How the broad phase of a scene's world divides the room, for balls of radius up to `reach`."""
-    room = scene.model_copy(update={"balls": ()}).build()._room
-    room.prepare()
-    state = room.states[0]
+    arrays = scene.model_copy(update={"balls": ()}).build()._arrays
+    arrays.prepare()
+    state = arrays.states[0]
     while not build_index(
-        state, room.balls.rows, room.shapes.rows, room.order, room.index, FIXED, reach, 0.0, room.cells, room.members
+        state,
+        arrays.balls.rows,
+        arrays.shapes.rows,
+        arrays.order,
+        arrays.index,
+        FIXED,
+        reach,
+        0.0,
+        arrays.cells,
+        arrays.members,
     ):
-        room.extend(NEEDS_PAIRS)
-    entry = room.index[FIXED]
-    cells = room.cells[int(entry["cells_begin"]) : int(entry["cells_end"])]
+        arrays.extend(NEEDS_PAIRS)
+    entry = arrays.index[FIXED]
+    cells = arrays.cells[int(entry["cells_begin"]) : int(entry["cells_end"])]
     if state["broad_phase"] == GRID:
         return Partition(0, len(cells), tuple(grid_cells(entry, cells)))
     if state["broad_phase"] == QUADTREE:

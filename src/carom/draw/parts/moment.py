@@ -45,7 +45,7 @@ class Balls:
         """The balls of a world as they stand now."""
         balls = world.balls
         # Not the column of radii: that may be written to, so those who ask for it wake the balls that sleep.
-        radii = world._room.balls.used["radius"]
+        radii = world._arrays.balls.used["radius"]
         return cls(balls.position.copy(), radii.copy(), balls.id.copy(), balls.velocity.copy())
 
 

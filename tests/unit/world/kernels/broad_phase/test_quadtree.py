@@ -14,10 +14,10 @@ from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, pl
 from tests.kernel_calls import Ball, ball_rows, state_row
 
 
-def planted(balls: list[Ball], levels: int, room: int = 4096) -> tuple[np.ndarray, np.ndarray, int]:
+def planted(balls: list[Ball], levels: int, arrays: int = 4096) -> tuple[np.ndarray, np.ndarray, int]:
     """The nodes and members of a tree of balls, and how many nodes there are."""
     rows = ball_rows(balls)
-    cells, members = np.zeros(room, CELL), np.zeros(8 * room, "i4")
+    cells, members = np.zeros(arrays, CELL), np.zeros(8 * arrays, "i4")
     end = plant_ball_tree(state_row(rows, "quadtree", levels), rows, np.zeros(0, SHAPE), cells, members, 0, 0)
     return cells, members, end
 
@@ -73,7 +73,7 @@ def test_a_world_of_crowded_balls_and_many_levels_stays_small() -> None:
     world = World(broad_phase="quadtree", levels=16, substeps=1, iterations=1)
     world.add_balls(np.random.default_rng(0).uniform(-9, 9, (60, 2)), radius=2.0)
     world.step(0.0)
-    assert len(world._room.cells) < 10_000
+    assert len(world._arrays.cells) < 10_000
 
 
 def test_a_tree_that_runs_out_of_room_says_how_much_it_wants() -> None:

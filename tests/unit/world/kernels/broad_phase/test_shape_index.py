@@ -28,9 +28,9 @@ def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
     world = World()
     world.add(Segment((0, 0), (10, 0)))
     prepare_index(world, 1.0)
-    room = world._room
+    arrays = world._arrays
     places = ((5.0, 1.5), (11.2, 0.0), (1e300, 0.0), (0.0, -inf), (nan, 0.0), (0.0, nan))
-    cells = [locate(room.index[FIXED], room.cells, x, y) for x, y in places]
+    cells = [locate(arrays.index[FIXED], arrays.cells, x, y) for x, y in places]
     assert [cell for cell in cells[2:] if cell != -1] == []
     assert found_shapes(world, FIXED, 5.0, 0.5) == [0]
 
@@ -41,7 +41,7 @@ def test_short_lists_are_what_a_grid_is_for() -> None:
         world.add(Point((k % 20, k // 20)))
     prepare_index(world, 0.1)
     assert len(found_shapes(world, FIXED, 7.05, 9.0)) <= 4
-    assert world._room.index[FIXED]["longest"] <= 6
+    assert world._arrays.index[FIXED]["longest"] <= 6
 
 
 def test_static_and_kinematic_shapes_stand_apart() -> None:
@@ -58,12 +58,12 @@ def test_the_rest_of_a_cell_is_what_is_met_after_a_shape() -> None:
     for shape in (Circle((0, 0), 1), Point((0, 0)), Segment((0, 0), (1, 0)), Point((1, 1)), Circle((1, 0), 1)):
         world.add(shape)
     prepare_index(world, 1.0)
-    room = world._room
+    arrays = world._arrays
     order = found_shapes(world, FIXED, 0.0, 0.0)
     assert order == [1, 3, 2, 0, 4]
     for place, row in enumerate(order):
-        begin, end = rest_of_cell(room.shapes.rows, room.cells, room.members, 0, row)
-        assert room.members[begin:end].tolist() == order[place + 1 :]
+        begin, end = rest_of_cell(arrays.shapes.rows, arrays.cells, arrays.members, 0, row)
+        assert arrays.members[begin:end].tolist() == order[place + 1 :]
 
 
 def test_cells_are_no_smaller_than_a_ball_and_not_too_many() -> None:

@@ -10,7 +10,7 @@ from carom import World
 from carom.rows.flight import NO_BALL
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.bins import bin_number, file_ball, leash, may_meet, open_bins, unfile_ball
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight
 
 
@@ -22,26 +22,26 @@ def crowd(seed: int, sizes: tuple[float, float]) -> World:
     return world
 
 
-def filed(room: Room, heads: Rows) -> list[list[int]]:
+def filed(arrays: Arrays, heads: Rows) -> list[list[int]]:
     """The balls in each cell."""
     found = []
     for head in heads.tolist():
         found.append([])
         while head != NO_BALL:
             found[-1].append(head)
-            head = int(room.flights[head]["next"])
+            head = int(arrays.flights[head]["next"])
     return found
 
 
 @pytest.mark.parametrize("sizes", [(0.5, 0.5), (0.01, 3.0)])
 def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(sizes: tuple[float, float]) -> None:
-    room = in_flight(crowd(1, sizes), 1.0)
-    state, balls, flights = room.states[0], room.balls.rows, room.flights
+    arrays = in_flight(crowd(1, sizes), 1.0)
+    state, balls, flights = arrays.states[0], arrays.balls.rows, arrays.flights
     assert not open_bins(state, balls, flights, np.zeros(3, "i4"))
     heads = np.zeros(int(state["wanted_starts"]), "i4")
     assert open_bins(state, balls, flights, heads)
     for step in range(40):
-        cells = filed(room, heads)
+        cells = filed(arrays, heads)
         assert sorted(chain(*cells)) == list(range(60))
         for ball in range(60):
             level = int(flights[ball]["level"])
@@ -53,15 +53,15 @@ def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(size
             assert width > 4 * float(balls[ball]["radius"])
             assert leash(state, flights[ball]) == pytest.approx(width / 8)
         unfile_ball(flights, heads, step)
-        assert step not in chain(*filed(room, heads))
+        assert step not in chain(*filed(arrays, heads))
         balls[step]["x"] += 3.0
         file_ball(state, balls, flights, heads, step)
 
 
 @pytest.mark.parametrize("sizes", [(0.5, 0.5), (0.01, 3.0)])
 def test_balls_that_touch_are_filed_within_reach_of_each_other(sizes: tuple[float, float]) -> None:
-    room = in_flight(crowd(2, sizes), 1.0)
-    state, balls, flights, heads = room.states[0], room.balls.rows, room.flights, np.zeros(4096, "i4")
+    arrays = in_flight(crowd(2, sizes), 1.0)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
     assert open_bins(state, balls, flights, heads)
     random, seen = np.random.default_rng(3), 0
     for i in range(60):
@@ -78,10 +78,10 @@ def test_balls_that_touch_are_filed_within_reach_of_each_other(sizes: tuple[floa
 
 
 def test_masks_may_exclude_every_meeting_of_balls() -> None:
-    room = in_flight(crowd(1, (0.5, 0.5)), 1.0)
-    balls = room.balls.used
-    assert may_meet(room.states[0], balls)
+    arrays = in_flight(crowd(1, (0.5, 0.5)), 1.0)
+    balls = arrays.balls.used
+    assert may_meet(arrays.states[0], balls)
     balls["layer"], balls["collides_with"] = 2, 1
-    assert not may_meet(room.states[0], balls)
+    assert not may_meet(arrays.states[0], balls)
     balls["layer"][7] = 1
-    assert may_meet(room.states[0], balls)
+    assert may_meet(arrays.states[0], balls)

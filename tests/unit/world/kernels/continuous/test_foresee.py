@@ -16,12 +16,12 @@ from carom.world.kernels.continuous.flight import path_of
 from carom.world.kernels.continuous.foresee import foresee, foresee_all, foresee_shapes
 from carom.world.kernels.continuous.surfaces import impact_in_motion
 from carom.world.kernels.step.relations import add_relation
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, shape_index
 from tests.worlds import continuous_world
 
 
-def furnished(seed: int, few: bool, broad_phase: str) -> Room:
+def furnished(seed: int, few: bool, broad_phase: str) -> Arrays:
     """Shapes all over the place, some of which move, and balls that fly among them."""
     random = Random(seed)
 
@@ -39,16 +39,16 @@ def furnished(seed: int, few: bool, broad_phase: str) -> Room:
         world.add(carom.Segment(place(), place(), motion="kinematic", velocity=place(1), angular_velocity=0.5))
     for _ in range(12):
         world.add(carom.Ball(place(), random.uniform(0.05, 0.3), velocity=place(20)))
-    room = in_flight(world, 1.5)
-    room.states[0]["bin_levels"] = 0
-    return room
+    arrays = in_flight(world, 1.5)
+    arrays.states[0]["bin_levels"] = 0
+    return arrays
 
 
-def earliest(room: Room, i: int) -> float:
+def earliest(arrays: Arrays, i: int) -> float:
     """When a ball first touches any shape, each asked in turn."""
-    ball, flight, first = room.balls.rows[i], room.flights[i], inf
+    ball, flight, first = arrays.balls.rows[i], arrays.flights[i], inf
     path, radius = path_of(ball, flight), float(ball["radius"])
-    for shape in room.shapes.used:
+    for shape in arrays.shapes.used:
         found = (
             impact_in_motion(shape, 0.0, path, radius, 1.5, 1.0)
             if shape["motion"]
@@ -58,9 +58,9 @@ def earliest(room: Room, i: int) -> float:
     return first
 
 
-def tables(room: Room) -> tuple[Rows, Rows, ShapeIndex]:
+def tables(arrays: Arrays) -> tuple[Rows, Rows, ShapeIndex]:
     """The shapes, and how they are found."""
-    return room.shapes.rows, room.order, shape_index(room)
+    return arrays.shapes.rows, arrays.order, shape_index(arrays)
 
 
 @pytest.mark.parametrize(
@@ -68,11 +68,11 @@ def tables(room: Room) -> tuple[Rows, Rows, ShapeIndex]:
 )
 @pytest.mark.parametrize("seed", range(2))
 def test_the_impact_that_is_foreseen_is_the_first_of_all(seed: int, few: bool, broad_phase: str) -> None:
-    room, seen = furnished(seed, few, broad_phase), 0
+    arrays, seen = furnished(seed, few, broad_phase), 0
     for i in range(12):
-        flight = room.flights[i]
-        foresee_shapes(room.states[0], room.balls.rows[i], flight, *tables(room), room.relations)
-        time = earliest(room, i)
+        flight = arrays.flights[i]
+        foresee_shapes(arrays.states[0], arrays.balls.rows[i], flight, *tables(arrays), arrays.relations)
+        time = earliest(arrays, i)
         seen += time < inf
         assert flight["event"] == (HIT_SHAPE if time < inf else NOTHING)
         assert flight["event_time"] == pytest.approx(min(time, 1.5), abs=1e-12)
@@ -81,17 +81,17 @@ def test_the_impact_that_is_foreseen_is_the_first_of_all(seed: int, few: bool, b
 
 @pytest.mark.parametrize("seed", range(2))
 def test_the_front_of_the_queue_is_the_first_event_of_all_balls(seed: int) -> None:
-    room = furnished(seed, False, "grid")
-    state, queue, nothing = room.states[0], room.queue, np.zeros((0, 2), "i4")
-    rest = nothing, nothing, room.relations, room.flights, queue
-    foresee_all(state, room.balls.rows, *tables(room), *rest)
-    times = [earliest(room, i) for i in range(12)]
+    arrays = furnished(seed, False, "grid")
+    state, queue, nothing = arrays.states[0], arrays.queue, np.zeros((0, 2), "i4")
+    rest = nothing, nothing, arrays.relations, arrays.flights, queue
+    foresee_all(state, arrays.balls.rows, *tables(arrays), *rest)
+    times = [earliest(arrays, i) for i in range(12)]
     assert state["queued"] == sum(time < inf for time in times)
     assert queue[0] == int(np.argmin(times))
     # Where nothing is to come any more, a ball leaves the queue.
     first = int(queue[0])
-    room.balls.rows["can_collide"][first] = 0
-    foresee(state, room.balls.rows, *tables(room), nothing, room.flights, queue, room.relations, first)
+    arrays.balls.rows["can_collide"][first] = 0
+    foresee(state, arrays.balls.rows, *tables(arrays), nothing, arrays.flights, queue, arrays.relations, first)
     assert state["queued"] == sum(time < inf for time in times) - 1
     times[first] = inf
     assert queue[0] == int(np.argmin(times))
@@ -99,10 +99,12 @@ def test_the_front_of_the_queue_is_the_first_event_of_all_balls(seed: int) -> No
 
 @pytest.mark.parametrize(("kind", "event"), [(PASSING, LOOK), (LASTING, LEAVE)])
 def test_what_a_ball_passes_or_rests_on_is_no_impact_but_looked_at(kind: int, event: int) -> None:
-    room = in_flight(continuous_world(carom.Segment((-5, 0), (5, 0)), carom.Ball((4.5, 1), 1, velocity=(2, 0))), 100.0)
-    room.states[0]["free_relation"] = -1
-    add_relation(room.states[0], room.relations, room.balls.rows[0], 0, kind, 0)
-    foresee_shapes(room.states[0], room.balls.rows[0], room.flights[0], *tables(room), room.relations)
-    assert room.flights[0]["event"] == event
+    arrays = in_flight(
+        continuous_world(carom.Segment((-5, 0), (5, 0)), carom.Ball((4.5, 1), 1, velocity=(2, 0))), 100.0
+    )
+    arrays.states[0]["free_relation"] = -1
+    add_relation(arrays.states[0], arrays.relations, arrays.balls.rows[0], 0, kind, 0)
+    foresee_shapes(arrays.states[0], arrays.balls.rows[0], arrays.flights[0], *tables(arrays), arrays.relations)
+    assert arrays.flights[0]["event"] == event
     # A ball at its end leaves it when its centre is past it.
-    assert room.flights[0]["event_time"] == (pytest.approx(0.25) if event == LEAVE else pytest.approx(0.125))
+    assert arrays.flights[0]["event_time"] == (pytest.approx(0.25) if event == LEAVE else pytest.approx(0.125))

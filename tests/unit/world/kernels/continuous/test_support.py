@@ -12,7 +12,7 @@ from carom.rows.relation import LASTING, NO_RELATION
 from carom.world.kernels.continuous.support import holding_acceleration, lean, patience, slide_time
 from carom.world.kernels.continuous.surfaces import gap_to_shape
 from carom.world.kernels.step.relations import add_relation, find_relation
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight
 from tests.worlds import continuous_world
 
@@ -51,26 +51,26 @@ def test_a_ball_that_is_held_stays_at_its_gap_to_the_second_order(shape: Shape, 
     assert (gaps[0] - 2 * gaps[1] + gaps[2]) / step**2 == pytest.approx(0.0, abs=0.02)
 
 
-def resting(*shapes: Shape, ball: Ball, gravity: tuple[float, float] = (0, -10)) -> Room:
+def resting(*shapes: Shape, ball: Ball, gravity: tuple[float, float] = (0, -10)) -> Arrays:
     """The tables of a world in which shapes hold a ball."""
-    room = in_flight(continuous_world(*shapes, ball, gravity=gravity), 1.0)
-    room.balls.rows["relation"], room.states[0]["free_relation"] = NO_RELATION, NO_RELATION
+    arrays = in_flight(continuous_world(*shapes, ball, gravity=gravity), 1.0)
+    arrays.balls.rows["relation"], arrays.states[0]["free_relation"] = NO_RELATION, NO_RELATION
     for row in range(len(shapes)):
-        add_relation(room.states[0], room.relations, room.balls.rows[0], 0, LASTING, row)
-    return room
+        add_relation(arrays.states[0], arrays.relations, arrays.balls.rows[0], 0, LASTING, row)
+    return arrays
 
 
-def leaning(room: Room) -> tuple[float, float]:
+def leaning(arrays: Arrays) -> tuple[float, float]:
     """The acceleration of a ball that its shapes hold."""
-    lean(room.states[0], room.balls.rows[0], room.flights[0], room.shapes.rows, room.relations, 1.0, True)
-    return float(room.flights[0]["ax"]), float(room.flights[0]["ay"])
+    lean(arrays.states[0], arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows, arrays.relations, 1.0, True)
+    return float(arrays.flights[0]["ax"]), float(arrays.flights[0]["ay"])
 
 
 @pytest.mark.parametrize("slope", [0.0, 0.3, -1.2])
 def test_a_ball_on_a_slope_falls_along_it(slope: float) -> None:
     t, n = (cos(slope), sin(slope)), (-sin(slope), cos(slope))
-    room = resting(Segment((-5 * t[0], -5 * t[1]), (5 * t[0], 5 * t[1])), ball=Ball(n, 1))
-    assert leaning(room) == pytest.approx((-10 * sin(slope) * t[0], -10 * sin(slope) * t[1]), abs=1e-12)
+    arrays = resting(Segment((-5 * t[0], -5 * t[1]), (5 * t[0], 5 * t[1])), ball=Ball(n, 1))
+    assert leaning(arrays) == pytest.approx((-10 * sin(slope) * t[0], -10 * sin(slope) * t[1]), abs=1e-12)
 
 
 def test_a_ball_in_a_wedge_does_not_fall_and_one_that_is_lifted_off_falls_freely() -> None:
@@ -82,8 +82,8 @@ def test_a_ball_in_a_wedge_does_not_fall_and_one_that_is_lifted_off_falls_freely
 
 
 def test_a_ball_that_runs_through_a_bowl_is_pulled_to_its_middle() -> None:
-    room = resting(Arc((0, 0), 3, pi, 2 * pi), ball=Ball((0, -2), 1, velocity=(4, 0)))
-    assert leaning(room) == pytest.approx((0, 4 * 4 / 2))
+    arrays = resting(Arc((0, 0), 3, pi, 2 * pi), ball=Ball((0, -2), 1, velocity=(4, 0)))
+    assert leaning(arrays) == pytest.approx((0, 4 * 4 / 2))
 
 
 @pytest.mark.parametrize(("place", "speed"), [(-2.0, 1.0), (1.0, -2.0), (0.0, 3.0)])
@@ -91,19 +91,21 @@ def test_a_ball_slides_to_the_end_of_a_slope_as_long_as_the_parabola_says(place:
     slope, pull = 0.4, -10 * sin(0.4)
     t, n = (cos(slope), sin(slope)), (-sin(slope), cos(slope))
     ball = Ball((n[0] + place * t[0], n[1] + place * t[1]), 1, velocity=(speed * t[0], speed * t[1]))
-    room = resting(Segment((-4 * t[0], -4 * t[1]), (3 * t[0], 3 * t[1])), ball=ball)
-    leaning(room)
-    time, leaves = slide_time(room.balls.rows[0], room.flights[0], room.shapes.rows[0], 9.0)
+    arrays = resting(Segment((-4 * t[0], -4 * t[1]), (3 * t[0], 3 * t[1])), ball=ball)
+    leaning(arrays)
+    time, leaves = slide_time(arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows[0], 9.0)
     roots = [*np.roots([pull / 2, speed, place + 4]), *np.roots([pull / 2, speed, place - 3])]
     assert leaves
     assert time == pytest.approx(min(root.real for root in roots if abs(root.imag) < 1e-12 and root.real > 0), abs=1e-6)
-    assert slide_time(room.balls.rows[0], room.flights[0], room.shapes.rows[0], 0.01) == (0.01, False)
+    assert slide_time(arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows[0], 0.01) == (0.01, False)
 
 
 @pytest.mark.parametrize("pull", [0.001, 1.0, 300.0])
 def test_balls_that_rest_on_each_other_wait_for_a_tick_in_which_they_hardly_sink_in(pull: float) -> None:
-    room = in_flight(continuous_world(Ball((0, 0), 2), Ball((3, 0), 1), gravity=(0, -pull)), 1.0)
-    wait, quiet = patience(room.states[0], room.balls.rows[0], room.flights[0], room.balls.rows[1], room.flights[1])
+    arrays = in_flight(continuous_world(Ball((0, 0), 2), Ball((3, 0), 1), gravity=(0, -pull)), 1.0)
+    wait, quiet = patience(
+        arrays.states[0], arrays.balls.rows[0], arrays.flights[0], arrays.balls.rows[1], arrays.flights[1]
+    )
     ticks = PATIENCE_PART / wait
     assert ticks == 2.0 ** round(np.log2(ticks))
     assert 0.5 * pull * wait * wait <= PATIENCE_DEPTH

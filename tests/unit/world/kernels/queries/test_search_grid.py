@@ -36,9 +36,9 @@ def scattered(seed: int, long: float) -> carom.World:
 
 def grid_over(world: carom.World) -> Grid:
     """A grid over all that is in a world."""
-    room = prepared(world)
-    items = np.append(np.arange(room.shapes.count), np.arange(-1, -1 - room.balls.count, -1)).astype("i4")
-    return grid_of(room, items)
+    arrays = prepared(world)
+    items = np.append(np.arange(arrays.shapes.count), np.arange(-1, -1 - arrays.balls.count, -1)).astype("i4")
+    return grid_of(arrays, items)
 
 
 def outline_of(member: carom.Shape | carom.Ball, count: int = 200) -> list[tuple[float, float]]:
@@ -55,7 +55,7 @@ def outline_of(member: carom.Shape | carom.Ball, count: int = 200) -> list[tuple
 def test_an_item_stands_in_every_cell_that_it_comes_into(seed: int, long: float) -> None:
     world = scattered(seed, long)
     grids, starts, members = grid_over(world)
-    grid, room = grids[0], world._room
+    grid, arrays = grids[0], world._arrays
     columns, lines, side = int(grid["columns"]), int(grid["lines"]), float(grid["side"])
     everyone = [*enumerate(world.shapes), *((-1 - k, ball) for k, ball in enumerate(world.balls))]
     for item, member in everyone:
@@ -63,7 +63,7 @@ def test_an_item_stands_in_every_cell_that_it_comes_into(seed: int, long: float)
             column, line = int((x - grid["left"]) / side), int((y - grid["bottom"]) / side)
             cell = min(line, lines - 1) * columns + min(column, columns - 1)
             assert item in members[starts[cell] : starts[cell + 1]]
-        left, bottom, right, top = item_box(room.shapes.rows, room.balls.rows, item)
+        left, bottom, right, top = item_box(arrays.shapes.rows, arrays.balls.rows, item)
         assert (left, bottom, right, top) == tuple(member.aabb)
     count = len(everyone)
     assert columns * lines <= 3 * SEARCH_CELLS_PER_ITEM * count + 1
@@ -75,7 +75,7 @@ def test_what_has_no_finite_box_is_in_no_cell() -> None:
     world.balls.position[1:3] = [(nan, 0), (0, inf)]
     _, starts, members = grid_over(world)
     assert set(members[: starts[starts > 0].max()].tolist()) == {-1, -4, -5}
-    assert width_of_all(world._room.shapes.used, world._room.balls.used) == pytest.approx(4.2 + 0.2)
+    assert width_of_all(world._arrays.shapes.used, world._arrays.balls.used) == pytest.approx(4.2 + 0.2)
 
 
 def test_cells_are_as_narrow_as_they_may_be() -> None:

@@ -10,7 +10,7 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING
 from carom.rows.tables import Rows
 from carom.world.kernels.step.ending import finish_substep, still_holds, sweep_relations
 from carom.world.kernels.step.relations import add_relation, find_relation
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 from tests.kernel_calls import ball_rows, prepared, state_row
 from tests.worlds import world_of
 
@@ -49,14 +49,14 @@ def test_a_ball_falls_asleep_once_it_was_slow_for_long_enough_without_a_break() 
     assert (rows["vx"][0], rows["vy"][0]) == (0.0, 0.0)
 
 
-def related(world: World, kind: int, other: int) -> Room:
+def related(world: World, kind: int, other: int) -> Arrays:
     """The tables of a world whose last ball has a relation to a row."""
-    room = prepared(world)
-    place = room.balls.count - 1
-    room.balls.rows["relation"] = -1
-    room.states[0]["free_relation"] = -1
-    add_relation(room.states[0], room.relations, room.balls.rows[place], place, kind, other)
-    return room
+    arrays = prepared(world)
+    place = arrays.balls.count - 1
+    arrays.balls.rows["relation"] = -1
+    arrays.states[0]["free_relation"] = -1
+    add_relation(arrays.states[0], arrays.relations, arrays.balls.rows[place], place, kind, other)
+    return arrays
 
 
 @pytest.mark.parametrize(
@@ -73,15 +73,15 @@ def related(world: World, kind: int, other: int) -> Room:
 def test_a_relation_holds_as_long_as_what_it_is_to_is_overlapped(kind: int, y: float, holds: bool) -> None:
     wall = Segment((0, 0), (9, 0), sensor=kind == INSIDE_SHAPE)
     world = world_of(wall, Ball((0.0, 0.0), 1.5, sensor=True), Ball((0.5, y), 1.0))
-    room = related(world, kind, 0)
-    state, balls, shapes = room.states[0], room.balls.rows, room.shapes.rows
+    arrays = related(world, kind, 0)
+    state, balls, shapes = arrays.states[0], arrays.balls.rows, arrays.shapes.rows
     assert still_holds(state, balls, shapes, balls[1], kind, 0) == holds
-    sweep_relations(state, balls, shapes, room.hits.view(HIT_ROW), room.relations, 7.0)
-    assert find_relation(room.relations, balls[1], kind, 0) == holds
+    sweep_relations(state, balls, shapes, arrays.hits.view(HIT_ROW), arrays.relations, 7.0)
+    assert find_relation(arrays.relations, balls[1], kind, 0) == holds
     ended = not holds and kind != PASSING
     assert state["hits"] == int(ended)
     if ended:
-        hit = room.hits[0]
+        hit = arrays.hits[0]
         other = world.balls[0].id if kind == INSIDE_BALL else wall.id
         assert (hit["time"], hit["kind"], hit["ball"], hit["shape"]) == (7.0, EXIT, world.balls[1].id, other)
 
@@ -92,19 +92,19 @@ def test_a_relation_ends_with_what_it_was_to_or_when_that_is_a_sensor_no_more(ki
     wall = Segment((0, 0), (9, 0), sensor=kind == INSIDE_SHAPE)
     other, ball = Ball((0.0, 0.0), 1.5, sensor=kind == INSIDE_BALL), Ball((0.5, 0.9), 1.0)
     world = world_of(wall, other, ball, detection=detection)
-    room = related(world, kind, 0)
-    partner = room.balls.rows[0] if kind == INSIDE_BALL else room.shapes.rows[0]
+    arrays = related(world, kind, 0)
+    partner = arrays.balls.rows[0] if kind == INSIDE_BALL else arrays.shapes.rows[0]
 
     def holds() -> bool:
         """Whether it does now."""
-        return still_holds(room.states[0], room.balls.rows, room.shapes.rows, room.balls.rows[1], kind, 0)
+        return still_holds(arrays.states[0], arrays.balls.rows, arrays.shapes.rows, arrays.balls.rows[1], kind, 0)
 
     assert holds()
-    for row in (partner, room.balls.rows[1]):
+    for row in (partner, arrays.balls.rows[1]):
         row["can_collide"] = 0
         assert not holds()
         row["can_collide"] = 1
     partner["sensor"] = 1 - partner["sensor"]
     assert not holds()
-    room.balls.rows[1]["sensor"] = 1
+    arrays.balls.rows[1]["sensor"] = 1
     assert holds() == (kind != PASSING)

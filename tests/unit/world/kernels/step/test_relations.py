@@ -22,8 +22,8 @@ from tests.kernel_calls import ball_rows, state_row
 
 def is_passing(world: World, ball: Ball, shape: Segment | Arc) -> bool:
     """Whether the world holds that a ball passes a shape."""
-    room = world._room
-    return find_relation(room.relations, ball._row, PASSING, room.shapes.index(shape))
+    arrays = world._arrays
+    return find_relation(arrays.relations, ball._row, PASSING, arrays.shapes.index(shape))
 
 
 def test_a_ball_that_comes_round_a_bare_end_passes_it_and_meets_nothing() -> None:

@@ -8,22 +8,24 @@ import pytest
 from carom import Ball, Segment, World
 from carom.rows.state import DONE, HAS_STRAYS, NOT_FINITE, REFUSED
 from carom.world.kernels.step.rollback import begin_step, end_step, find_strays, roll_back
-from carom.world.tables import Room
+from carom.world.tables import Arrays
 from tests.kernel_calls import prepared
 from tests.worlds import crowded, world_of
 
 
-def begun(room: Room) -> int:
+def begun(arrays: Arrays) -> int:
     """The outcome of beginning a step."""
-    return begin_step(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
+    return begin_step(
+        arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+    )
 
 
-def contents(room: Room) -> list[bytes]:
+def contents(arrays: Arrays) -> list[bytes]:
     """The tables that a step may change, bit by bit."""
-    used = int(room.states[0]["relations_high"])
+    used = int(arrays.states[0]["relations_high"])
     return [
-        *(table.tobytes() for table in (room.states[0], room.balls.used, room.shapes.used)),
-        room.relations[:used].tobytes(),
+        *(table.tobytes() for table in (arrays.states[0], arrays.balls.used, arrays.shapes.used)),
+        arrays.relations[:used].tobytes(),
     ]
 
 
@@ -42,36 +44,36 @@ def contents(room: Room) -> list[bytes]:
     ],
 )
 def test_a_step_does_not_begin_with_a_ball_that_cannot_be(field: str, value: float, status: int) -> None:
-    room = prepared(world_of(*(Ball((3.0 * k, 0), 1) for k in range(3))))
-    room.balls.rows[field][1] = value
-    before = contents(room)
-    assert begun(room) == status
-    assert (contents(room) == before) == (status != DONE)
+    arrays = prepared(world_of(*(Ball((3.0 * k, 0), 1) for k in range(3))))
+    arrays.balls.rows[field][1] = value
+    before = contents(arrays)
+    assert begun(arrays) == status
+    assert (contents(arrays) == before) == (status != DONE)
 
 
 def test_what_a_step_has_done_is_undone_to_the_bit() -> None:
     world = crowded()
     world.run(1.0)
-    room = prepared(world)
-    state = room.states[0]
+    arrays = prepared(world)
+    state = arrays.states[0]
     state["index_stale"], state["step_hits"] = 1, state["hits"]
-    before = contents(room)
-    assert begun(room) == DONE
+    before = contents(arrays)
+    assert begun(arrays) == DONE
     random = np.random.default_rng(1)
-    balls, shapes = room.balls.used, room.shapes.used
+    balls, shapes = arrays.balls.used, arrays.shapes.used
     for field in ("x", "y", "vx", "vy", "still_time"):
         balls[field] = random.uniform(-9, 9, len(balls))
     balls["relation"], balls["asleep"], balls["stray"] = -1, 1, 1
     balls["vy"][3] = inf
-    moving = room.order[int(state["fixed"]) :]
+    moving = arrays.order[int(state["fixed"]) :]
     shapes["orientation"][moving], shapes["right"][moving[0]] = 7.0, inf
-    room.relations["kind"][: int(state["relations_high"])] = 99
+    arrays.relations["kind"][: int(state["relations_high"])] = 99
     state["time"], state["hits"] = 99.0, 5
-    roll_back(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
-    assert contents(room) == before
+    roll_back(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
+    assert contents(arrays) == before
     # It is told besides what was not finite any more.
-    assert np.flatnonzero(room.saved["overflowed"][: len(balls)]).tolist() == [3]
-    copies = room.shapes.rows[len(shapes) : len(shapes) + len(moving)]
+    assert np.flatnonzero(arrays.saved["overflowed"][: len(balls)]).tolist() == [3]
+    copies = arrays.shapes.rows[len(shapes) : len(shapes) + len(moving)]
     assert copies["spare"].tolist() == [1] + [0] * (len(moving) - 1)
 
 
@@ -80,29 +82,29 @@ def test_a_step_ends_with_its_time_and_with_those_that_have_left_the_bounds(remo
     world = World(bounds=(0, 0, 10, 10), remove_strays=removes)
     for x, y in ((5, 5), (-0.99, 5), (-1.01, 5), (5, 11.01), (5, 10.99), (11.5, 11.5)):
         world.add(Ball((x, y), 1))
-    room = prepared(world)
-    room.states[0]["dt"], room.states[0]["steps_left"] = 0.25, 3
-    assert begun(room) == DONE
-    room.balls.rows["stray"][5] = 1
-    found = end_step(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
+    arrays = prepared(world)
+    arrays.states[0]["dt"], arrays.states[0]["steps_left"] = 0.25, 3
+    assert begun(arrays) == DONE
+    arrays.balls.rows["stray"][5] = 1
+    found = end_step(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
     assert found == status
-    assert room.balls.used["stray"].tolist() == [0, 0, 1, 1, 0, 1]
-    state = room.states[0]
+    assert arrays.balls.used["stray"].tolist() == [0, 0, 1, 1, 0, 1]
+    state = arrays.states[0]
     assert (state["time"], state["steps_left"], state["outside"], state["strays"]) == (0.25, 2, 3, 2)
 
 
 def test_a_step_that_leaves_a_ball_infinite_is_undone() -> None:
-    room = prepared(world_of(Segment((0, 0), (1, 0)), Ball((0, 0), 1), Ball((5, 5), 1, velocity=(1, 2))))
-    assert begun(room) == DONE
-    before = room.balls.used.tobytes()
-    room.balls.rows["x"] = 3.0, nan
-    found = end_step(room.states, room.balls.rows, room.shapes.rows, room.order, room.saved, room.relations)
+    arrays = prepared(world_of(Segment((0, 0), (1, 0)), Ball((0, 0), 1), Ball((5, 5), 1, velocity=(1, 2))))
+    assert begun(arrays) == DONE
+    before = arrays.balls.used.tobytes()
+    arrays.balls.rows["x"] = 3.0, nan
+    found = end_step(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
     assert found == NOT_FINITE
-    assert room.balls.used.tobytes() == before
-    assert room.states[0]["time"] == 0.0
+    assert arrays.balls.used.tobytes() == before
+    assert arrays.states[0]["time"] == 0.0
 
 
 def test_a_ball_on_the_border_is_no_stray() -> None:
-    room = prepared(world_of(Ball((-1, 5), 1), Ball((11, 5), 1), bounds=(0, 0, 10, 10)))
-    find_strays(room.states[0], room.balls.rows)
-    assert room.states[0]["strays"] == 0
+    arrays = prepared(world_of(Ball((-1, 5), 1), Ball((11, 5), 1), bounds=(0, 0, 10, 10)))
+    find_strays(arrays.states[0], arrays.balls.rows)
+    assert arrays.states[0]["strays"] == 0
