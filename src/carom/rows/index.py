@@ -16,8 +16,6 @@ class IndexRow(TypedDict):
     bottom: f8
     side: f8  # of a grid's cell
     reach: f8  # the largest radius of a ball that it serves
-    span: f8  # for how many seconds of their motion it holds shapes that move
-    form: i8  # BRUTE, GRID or QUADTREE
     longest: i8  # members of the fullest cell
     columns: i8
     lines: i8

@@ -6,7 +6,7 @@ interpreter the numbers are made Python floats when read, so that both give the 
 
 from __future__ import annotations
 
-from math import cos, fabs, inf, sin
+from math import cos, inf, sin
 
 from carom.constants import STOP_MARGIN
 from carom.geometry.aabb import arc_box, circle_box, segment_box
@@ -175,21 +175,6 @@ def is_moving(shape: ShapeRow) -> bool:
     if shape["motion"] != KINEMATIC:
         return False
     return bool(shape["spin"] != 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0)
-
-
-def span_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
-    """A box around a shape that it does not leave in so many seconds of its motion: its own box for one at rest."""
-    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
-    left, bottom = float(shape["left"]), float(shape["bottom"])
-    right, top = float(shape["right"]), float(shape["top"])
-    shift_x, shift_y = float(shape["velocity_x"]) * span, float(shape["velocity_y"]) * span
-    if shape["spin"] != 0.0:
-        reach = length(max(px - left, right - px), max(py - bottom, top - py))
-        # Turning by an angle moves nothing farther than by that angle times its distance from the pivot.
-        way = min(fabs(float(shape["spin"])) * span, 3.0) * reach
-        left, right = max(left - way, px - reach), min(right + way, px + reach)
-        bottom, top = max(bottom - way, py - reach), min(top + way, py + reach)
-    return left + min(shift_x, 0.0), bottom + min(shift_y, 0.0), right + max(shift_x, 0.0), top + max(shift_y, 0.0)
 
 
 def acting_spin(shape: ShapeRow) -> float:

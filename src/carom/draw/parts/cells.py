@@ -74,7 +74,6 @@ def partition(scene: Scene, reach: float) -> Partition:
         arrays.index,
         FIXED,
         reach,
-        0.0,
         arrays.cells,
         arrays.members,
     ):

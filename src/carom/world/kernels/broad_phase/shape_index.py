@@ -12,7 +12,6 @@ from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGI
 from carom.rows.ball import BallRow
 from carom.rows.index import NO_CHILD, CellRow, IndexRow
 from carom.rows.kinds_near import distance_to_shape
-from carom.rows.pose import is_moving, span_box
 from carom.rows.shape import ShapeRow
 from carom.rows.state import BRUTE, GRID, QUADTREE, StateRow
 from carom.rows.tables import Table
@@ -22,14 +21,14 @@ FIXED = 0
 MOVING = 1
 
 
-def locate(entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
+def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
     """The cell whose members are all the shapes that a ball at (x, y) may overlap, or -1 where there are none."""
     first = int(entry["cells_begin"])
     if entry["cells_end"] == first:
         return -1
-    if entry["form"] == BRUTE:
+    if state["broad_phase"] == BRUTE:
         return first
-    if entry["form"] == GRID:
+    if state["broad_phase"] == GRID:
         columns, lines = int(entry["columns"]), int(entry["lines"])
         across = (x - float(entry["left"])) / float(entry["side"])
         along = (y - float(entry["bottom"])) / float(entry["side"])
@@ -69,21 +68,17 @@ def build_index(
     index: Table[IndexRow],
     which: int,
     reach: float,
-    span: float,
     cells: Table[CellRow],
     members: Table[int],
 ) -> bool:
     """True if the index of the static (or kinematic) shapes was made for balls of radius up to `reach`.
 
-    Shapes that move are found wherever they come within `span` seconds; a quadtree is none for that, but a grid. False
-    where room ran out; `state["wanted_*"]` says how much. The kinematic index stands behind the static one.
+    False where room ran out; `state["wanted_*"]` says how much. The kinematic index stands behind the static one.
     """
     entry = index[which]
     begin = 0 if which == FIXED else int(state["fixed"])
     end = int(state["fixed"]) if which == FIXED else int(state["shapes"])
     entry["reach"] = reach
-    entry["span"] = span
-    entry["form"] = state["broad_phase"] if span == 0.0 or state["broad_phase"] == BRUTE else GRID
     entry["cells_begin"] = 0 if which == FIXED else index[FIXED]["cells_end"]
     entry["members_begin"] = 0 if which == FIXED else index[FIXED]["members_end"]
     entry["cells_end"] = entry["cells_begin"]
@@ -91,7 +86,7 @@ def build_index(
     entry["longest"] = 0
     if begin == end:
         return True
-    left, bottom, right, top = index_box(shapes, order, begin, end, entry)
+    left, bottom, right, top = index_box(shapes, order, begin, end, reach)
     # From here on the fields say where cells and members are, for `locate`.
     side = cell_side(right - left, top - bottom, end - begin, reach)
     vast = side == inf
@@ -100,9 +95,7 @@ def build_index(
     entry["side"] = side
     entry["columns"] = 1
     entry["lines"] = 1
-    if vast:
-        entry["form"] = BRUTE
-    if entry["form"] == GRID:
+    if state["broad_phase"] == GRID and not vast:
         built = build_grid(state, shapes, order, entry, begin, end, right - left, top - bottom, cells, members)
     else:
         width, height = right - left, top - bottom
@@ -141,7 +134,7 @@ def build_nodes(
     for k in range(begin, end):
         members[free - end + k] = order[k]
     last = root + 1
-    if entry["form"] == QUADTREE:
+    if state["broad_phase"] == QUADTREE and float(entry["side"]) < inf:
         last = build_tree(state, balls, shapes, False, reach, cells, members, root, width, height)
     entry["cells_end"] = max(last, root)
     entry["members_end"] = free if last <= root + 1 else cells[last - 1]["end"]
@@ -149,25 +142,19 @@ def build_nodes(
 
 
 def index_box(
-    shapes: Table[ShapeRow], order: Table[int], begin: int, end: int, entry: IndexRow
+    shapes: Table[ShapeRow], order: Table[int], begin: int, end: int, reach: float
 ) -> tuple[float, float, float, float]:
-    """The box of the shapes `order[begin:end]` and of their ways, larger on all sides by the index's reach."""
-    reach, span = float(entry["reach"]), float(entry["span"])
-    left, bottom, right, top = held_box(shapes[order[begin]], span)
+    """The box of the shapes `order[begin:end]`, larger by `reach` on all sides."""
+    first = shapes[order[begin]]
+    left, bottom = float(first["left"]), float(first["bottom"])
+    right, top = float(first["right"]), float(first["top"])
     for k in range(begin + 1, end):
-        box_left, box_bottom, box_right, box_top = held_box(shapes[order[k]], span)
-        left = min(left, box_left)
-        bottom = min(bottom, box_bottom)
-        right = max(right, box_right)
-        top = max(top, box_top)
+        shape = shapes[order[k]]
+        left = min(left, float(shape["left"]))
+        bottom = min(bottom, float(shape["bottom"]))
+        right = max(right, float(shape["right"]))
+        top = max(top, float(shape["top"]))
     return left - reach, bottom - reach, right + reach, top + reach
-
-
-def held_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
-    """The box in which a shape is for `span` seconds."""
-    if span > 0.0 and is_moving(shape):
-        return span_box(shape, span)
-    return float(shape["left"]), float(shape["bottom"]), float(shape["right"]), float(shape["top"])
 
 
 def cell_side(width: float, height: float, count: int, reach: float) -> float:
@@ -227,19 +214,15 @@ def mark_cells(
     side = float(entry["side"])
     reach = float(entry["reach"])
     left, bottom = float(entry["left"]), float(entry["bottom"])
-    span = float(entry["span"])
-    box_left, box_bottom, box_right, box_top = held_box(shape, span)
-    travels = span > 0.0 and is_moving(shape)
     # Half a cell's diagonal from its middle to its corner; rounding far from the origin must not lose a shape.
     near = (reach + side * sqrt(0.5)) * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
-    first_column = max(int((box_left - reach - left) / side) - 1, 0)
-    last_column = min(int((box_right + reach - left) / side) + 1, int(entry["columns"]) - 1)
-    first_line = max(int((box_bottom - reach - bottom) / side) - 1, 0)
-    last_line = min(int((box_top + reach - bottom) / side) + 1, int(entry["lines"]) - 1)
+    first_column = max(int((float(shape["left"]) - reach - left) / side) - 1, 0)
+    last_column = min(int((float(shape["right"]) + reach - left) / side) + 1, int(entry["columns"]) - 1)
+    first_line = max(int((float(shape["bottom"]) - reach - bottom) / side) - 1, 0)
+    last_line = min(int((float(shape["top"]) + reach - bottom) / side) + 1, int(entry["lines"]) - 1)
     for line in range(first_line, last_line + 1):
         for column in range(first_column, last_column + 1):
-            x, y = left + (column + 0.5) * side, bottom + (line + 0.5) * side
-            if travels or distance_to_shape(shape, x, y) <= near:
+            if distance_to_shape(shape, left + (column + 0.5) * side, bottom + (line + 0.5) * side) <= near:
                 cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
                 if write:
                     members[cell["end"]] = row

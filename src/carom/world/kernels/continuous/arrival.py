@@ -8,7 +8,7 @@ from carom.geometry.path import path_back
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
 from carom.rows.hit import ENTER, EXIT, HitRow
-from carom.rows.index import ShapeIndex
+from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.kinds_near import distance_to_shape
@@ -18,21 +18,19 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.bins import file_ball, leash, unfile_ball
 from carom.world.kernels.continuous.flight import fly_to, path_at, path_of, place_at
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.spans import many_kinematic
 from carom.world.kernels.continuous.support import keep_energy
 from carom.world.kernels.continuous.surfaces import gap_to_shape, impact_in_motion, into_frame
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation, drop_relation, find_relation
-from carom.world.kernels.step.times import substep_length
 
 
 def time_of(state: StateRow, time: float) -> float:
     """The world's time at a time of the span."""
-    substep = substep_length(state)
+    substep = float(state["dt"]) / float(state["substeps"])
     within = float(state["substep"]) * substep + float(state["span_begin"]) + time
     return float(state["time"]) + min(within, float(state["dt"]))
 
@@ -55,7 +53,9 @@ def arrive(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     flights: Table[FlightRow],
     hits: Table[HitRow],
@@ -64,7 +64,6 @@ def arrive(
     time: float,
 ) -> None:
     """Move a ball to where it is at a time of the span, file it anew if need be, and bring its relations up to date."""
-    index, cells, members = shape_index
     ball, flight = balls[i], flights[i]
     began, from_x, from_y = float(flight["time"]), float(ball["x"]), float(ball["y"])
     fly_to(ball, flight, time)
@@ -78,33 +77,12 @@ def arrive(
         keep_energy(state, ball, flight, shapes, relations)
         end_relations(state, balls, shapes, flights, hits, relations, i, time - began)
     if time > began and flight["kind"] == FLYING:
-        cell = locate(index[FIXED], cells, float(ball["x"]), float(ball["y"]))
+        cell = locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]))
         begin, end = cell_span(cells, cell)
         if begin < end:
             note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
-        if many_kinematic(state):
-            begin, end = cell_span(cells, locate(index[MOVING], cells, float(ball["x"]), float(ball["y"])))
-            note_passing(state, ball, flight, i, shapes, members, begin, end, hits, relations, began, from_x, from_y)
-        else:
-            begin, end = int(state["fixed"]), int(state["shapes"])
-            note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
-
-
-def near_kinematic_ends(
-    state: StateRow,
-    shapes: Table[ShapeRow],
-    order: Table[int],
-    shape_index: ShapeIndex,
-    x: float,
-    y: float,
-    radius: float,
-) -> bool:
-    """True if a ball at (x, y) may be on a kinematic shape that has ends."""
-    if not many_kinematic(state):
-        return near_ends(shapes, order, int(state["fixed"]), int(state["shapes"]), x, y, radius)
-    index, cells, members = shape_index
-    begin, end = cell_span(cells, locate(index[MOVING], cells, x, y))
-    return near_ends(shapes, members, begin, end, x, y, radius)
+        begin, end = int(state["fixed"]), int(state["shapes"])
+        note_passing(state, ball, flight, i, shapes, order, begin, end, hits, relations, began, from_x, from_y)
 
 
 def near_ends(

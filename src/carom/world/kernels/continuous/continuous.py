@@ -9,7 +9,7 @@ from carom.constants import SPAN_END
 from carom.rows.ball import BallRow
 from carom.rows.flight import HIT_BALL, HIT_SHAPE, LEAVE, FlightRow
 from carom.rows.hit import HitRow
-from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
+from carom.rows.index import CellRow, IndexRow, SlotRow
 from carom.rows.relation import LASTING, NO_RELATION, RelationRow
 from carom.rows.saved import PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -29,8 +29,8 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Pairs, Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
-from carom.world.kernels.continuous.arrival import arrive, near_ends, near_kinematic_ends
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.continuous.arrival import arrive, near_ends
 from carom.world.kernels.continuous.bins import open_bins
 from carom.world.kernels.continuous.encounter import count_impact, impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.kernels.continuous.flight import fly_to, forget_partner, new_flights, place_at
@@ -38,7 +38,6 @@ from carom.world.kernels.continuous.foresee import foresee, foresee_all
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.spans import (
     begin_flights,
-    many_kinematic,
     move_shapes_on,
     set_shapes_going,
     span_length,
@@ -79,43 +78,41 @@ def step_continuous(
 
     Balls that overlap when a step begins are first moved apart by the stages of the discrete mode.
     """
-    pair_tables = (slots, starts, pairs)
-    shape_index = (index, cells, members)
     state = states[0]
     while state["steps_left"] > 0:
         stage = state["stage"]
         if stage == BEGIN:
             status = begin_step(states, balls, shapes, order, saved, relations)
         elif stage == MOVE:
-            status = begin_substep(state, balls, shapes, order, shape_index, saved, flights)
+            status = begin_substep(state, balls, shapes, order, index, cells, members, saved, flights)
         elif stage == SHAPES:
-            status = meet_all_shapes(state, balls, shapes, shape_index, saved, hits, relations)
+            status = meet_all_shapes(state, balls, shapes, (index, cells, members), saved, hits, relations)
             if state["stage"] == FINISH:
                 enter_stage(state, SPAN)
         elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
             enter_stage(state, SPAN)
             status = DONE
         elif stage == FIND_PAIRS:
-            status = find_pairs(state, balls, shapes, shape_index, pair_tables, saved)
+            status = find_pairs(state, balls, shapes, (index, cells, members), (slots, starts, pairs), saved)
         elif stage == PAIRS:
             status = meet_all_pairs(
-                state, balls, shapes, shape_index, pairs, saved, hits, relations
+                state, balls, shapes, (index, cells, members), pairs, saved, hits, relations
             )  # fmt: skip
             if state["stage"] == FINISH:
                 enter_stage(state, SPAN)
         elif stage == SPAN:
             status = begin_span(
-                state, balls, shapes, order, shape_index, pair_tables, flights
+                state, balls, shapes, order, index, cells, members, slots, starts, pairs, flights
             )  # fmt: skip
         elif stage == FORESEE:
             foresee_all(
-                state, balls, shapes, order, shape_index, starts, pairs, relations, flights, queue
+                state, balls, shapes, order, index, cells, members, starts, pairs, relations, flights, queue
             )  # fmt: skip
             enter_stage(state, FLY)
             status = DONE
         elif stage == FLY:
             status = fly(
-                state, balls, shapes, order, shape_index, starts, hits, relations, flights, queue
+                state, balls, shapes, order, index, cells, members, starts, hits, relations, flights, queue
             )  # fmt: skip
         elif stage == FINISH:
             status = finish(state, balls, shapes, order, hits, relations)
@@ -131,12 +128,14 @@ def begin_substep(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     saved: Table[SavedRow],
     flights: Table[FlightRow],
 ) -> int:
     """DONE when the index of shapes is right and balls may be moved apart (once a step) or fly."""
-    if not rebuild_index(state, balls, shapes, order, shape_index, 0.0):
+    if not rebuild_index(state, balls, shapes, order, (index, cells, members)):
         return NEEDS_PAIRS
     new_flights(state, flights)
     state["span_begin"] = 0.0
@@ -153,22 +152,24 @@ def begin_span(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
-    pair_tables: PairTables,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
     flights: Table[FlightRow],
 ) -> int:
     """DONE when shapes and balls are set going for the span; NEEDS_PAIRS if there is too little room for cells."""
-    _slots, starts, _pairs = pair_tables
+    if not rebuild_index(state, balls, shapes, order, (index, cells, members)):
+        return NEEDS_PAIRS
     state["span"] = span_length(state, shapes, order, substep_length(state) - float(state["span_begin"]))
     # Balls that a shape wakes on its way are to fly.
     set_shapes_going(state, balls, shapes, order)
-    span = float(state["span"]) if many_kinematic(state) else 0.0
-    if not rebuild_index(state, balls, shapes, order, shape_index, span):
-        return NEEDS_PAIRS
     if begin_flights(state, balls, flights):
         # Sorting the balls for the pairs and filing them use the same room, one after the other.
         tests = int(state["box_tests"])
-        found = sweep_pairs(state, balls, flights, pair_tables)
+        found = sweep_pairs(state, balls, flights, slots, starts, pairs)
         if not found or not open_bins(state, balls, flights, starts):
             state["box_tests"] = tests
             return NEEDS_PAIRS
@@ -181,7 +182,9 @@ def fly(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     hits: Table[HitRow],
     relations: Table[RelationRow],
@@ -189,10 +192,8 @@ def fly(
     queue: Table[int],
 ) -> int:
     """DONE when all events of the span are dealt with and every ball is where it ends; NEEDS_ROOM if hits ran out."""
-    index, _cells, _members = shape_index
     rest = rest_speed(state)
-    kinematic = index[MOVING]["longest"] if many_kinematic(state) else state["shapes"] - state["fixed"]
-    most = 2 * int(index[FIXED]["longest"] + kinematic) + 2
+    most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 2
     while True:
         wanted = most + int(state["relations"])
         if len(hits) - state["hits"] < wanted or relations_room(state, relations) < most:
@@ -202,10 +203,10 @@ def fly(
         if state["queued"] > 0:
             i = row_of(queue[0])
             deal_with(
-                state, balls, shapes, order, shape_index, heads, hits, relations, flights, queue, i, rest
+                state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, i, rest
             )  # fmt: skip
         else:
-            end_flights(state, balls, shapes, order, shape_index, heads, hits, relations, flights, most)
+            end_flights(state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, most)
             if state["cursor"] == state["balls"]:
                 break
     move_shapes_on(state, shapes, order)
@@ -219,7 +220,9 @@ def end_flights(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     hits: Table[HitRow],
     relations: Table[RelationRow],
@@ -227,9 +230,10 @@ def end_flights(
     most: int,
 ) -> None:
     """Move the balls, from the cursor on, to where they end the span; as far as there is room for hits."""
-    index, cells, members = shape_index
     span = float(state["span"])
     duration = substep_length(state)
+    fixed, count = int(state["fixed"]), int(state["shapes"])
+    kinematic = count > fixed
     for i in range(state["cursor"], state["balls"]):
         if len(hits) - state["hits"] < most + state["relations"] or relations_room(state, relations) < most:
             return
@@ -238,14 +242,13 @@ def end_flights(
         if ball["relation"] == NO_RELATION:
             x, y, _vx, _vy = place_at(ball, flight, span)
             radius = float(ball["radius"])
-            begin, end = cell_span(cells, locate(index[FIXED], cells, x, y))
-            if not near_ends(shapes, members, begin, end, x, y, radius) and not near_kinematic_ends(
-                state, shapes, order, shape_index, x, y, radius
-            ):
+            begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
+            near = near_ends(shapes, members, begin, end, x, y, radius)
+            if not near and not (kinematic and near_ends(shapes, order, fixed, count, x, y, radius)):
                 fly_to(ball, flight, span)
                 continue
         arrive(
-            state, balls, shapes, order, shape_index, heads, flights, hits, relations, i, span
+            state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, i, span
         )  # fmt: skip
         lean(state, ball, flight, shapes, relations, duration, False)
 
@@ -255,7 +258,9 @@ def deal_with(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     hits: Table[HitRow],
     relations: Table[RelationRow],
@@ -269,28 +274,28 @@ def deal_with(
     event, partner, time = int(flight["event"]), row_of(flight["partner"]), float(flight["event_time"])
     stale = event == HIT_BALL and flights[partner]["version"] != flight["partner_version"]
     arrive(
-        state, balls, shapes, order, shape_index, heads, flights, hits, relations, i, time
+        state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, i, time
     )  # fmt: skip
     duration = substep_length(state)
     if event == HIT_BALL and not stale:
         arrive(
-            state, balls, shapes, order, shape_index, heads, flights, hits, relations, partner, time
+            state, balls, shapes, order, index, cells, members, heads, flights, hits, relations, partner, time
         )  # fmt: skip
         x, y = float(ball["x"]), float(ball["y"])
         other_x, other_y = float(balls[partner]["x"]), float(balls[partner]["y"])
         if impact_of_balls(state, balls, flights, min(i, partner), max(i, partner), hits, relations, rest):
-            keep_push_out(ball, shapes, shape_index, relations, x, y)
-            keep_push_out(balls[partner], shapes, shape_index, relations, other_x, other_y)
+            keep_push_out(state, ball, shapes, index, cells, members, relations, x, y)
+            keep_push_out(state, balls[partner], shapes, index, cells, members, relations, other_x, other_y)
         count_impact(state, flight)
         count_impact(state, flights[partner])
         change_path(state, balls[partner], flights[partner], shapes, relations, duration)
         change_path(state, ball, flight, shapes, relations, duration)
         foresee(
-            state, balls, shapes, order, shape_index, heads, flights, queue, relations, partner
+            state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, partner
         )  # fmt: skip
     elif event == HIT_SHAPE:
         impact_with_shape(
-            state, ball, flight, i, shapes, partner, shape_index, hits, relations, rest
+            state, ball, flight, i, shapes, partner, index, cells, members, hits, relations, rest
         )  # fmt: skip
         count_impact(state, flight)
         change_path(state, ball, flight, shapes, relations, duration)
@@ -299,7 +304,7 @@ def deal_with(
         change_path(state, ball, flight, shapes, relations, duration)
     elif not stale:
         look_around(state, ball, flight, shapes, relations, duration)
-    foresee(state, balls, shapes, order, shape_index, heads, flights, queue, relations, i)
+    foresee(state, balls, shapes, order, index, cells, members, heads, flights, queue, relations, i)
 
 
 def change_path(

@@ -10,7 +10,7 @@ from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, STALLED, FlightRow
 from carom.rows.hit import ENTER, HitRow
-from carom.rows.index import ShapeIndex
+from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import gap_at_rest, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
@@ -37,7 +37,9 @@ def impact_with_shape(
     i: int,
     shapes: Table[ShapeRow],
     row: int,
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     hits: Table[HitRow],
     relations: Table[RelationRow],
     rest_speed: float,
@@ -63,14 +65,14 @@ def impact_with_shape(
     if found is None:
         return
     gap, nx, ny = found
-    if is_moving(shape) and is_squeezed(ball, shapes, shape_index, nx, ny):
+    if is_moving(shape) and is_squeezed(ball, shapes, index, state, cells, members, nx, ny):
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return
     if gap < -SEPARATION_SLACK * radius and not is_moving(shape):
         # It was put there. What two sides push to and fro would go on so for ever, so it stays for now.
-        depth = pressed_depth(ball, shapes, shape_index, relations, row, nx, ny, -gap)
-        across = barrier(state, ball, shapes, shape_index, relations, row, -gap * nx, -gap * ny) == ACROSS
+        depth = pressed_depth(state, ball, shapes, (index, cells, members), relations, row, nx, ny, -gap)
+        across = barrier(state, ball, shapes, (index, cells, members), relations, row, -gap * nx, -gap * ny) == ACROSS
         if across or depth > SEPARATION_SLACK * radius:
             state["squeezed"] += 1
             flight["kind"] = STALLED
@@ -141,16 +143,18 @@ def bounce(
 def is_squeezed(
     ball: BallRow,
     shapes: Table[ShapeRow],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    state: StateRow,
+    cells: Table[CellRow],
+    members: Table[int],
     nx: float,
     ny: float,
 ) -> bool:
     """True if a ball that a moving shape pushes along its normal has next to no room before a static shape."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    index, cells, members = shape_index
     # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
     ahead = 2.0 * SQUEEZE_GAP * radius
-    cell = locate(index[FIXED], cells, x + ahead * nx, y + ahead * ny)
+    cell = locate(state, index[FIXED], cells, x + ahead * nx, y + ahead * ny)
     if cell < 0:
         return False
     for k in range(int(cells[cell]["begin"]), int(cells[cell]["end"])):
@@ -261,15 +265,17 @@ def part_balls(
 
 
 def keep_push_out(
+    state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     relations: Table[RelationRow],
     from_x: float,
     from_y: float,
 ) -> None:
     """Take from a push, which moved a ball from (from_x, from_y), what is more than PUSH_MOST or goes into a shape."""
-    index, cells, members = shape_index
     radius = float(ball["radius"])
     dx, dy = float(ball["x"]) - from_x, float(ball["y"]) - from_y
     way = length(dx, dy)
@@ -278,7 +284,7 @@ def keep_push_out(
     if way > PUSH_MOST * radius:
         dx, dy = dx * (PUSH_MOST * radius / way), dy * (PUSH_MOST * radius / way)
     for _ in range(2):
-        begin, end = cell_span(cells, locate(index[FIXED], cells, from_x + dx, from_y + dy))
+        begin, end = cell_span(cells, locate(state, index[FIXED], cells, from_x + dx, from_y + dy))
         for k in range(begin, end):
             row = int(members[k])
             shape = shapes[row]

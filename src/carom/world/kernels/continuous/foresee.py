@@ -8,24 +8,22 @@ from carom.constants import FEW_SHAPES, FLIGHT_SLICES, LOOK_TRAVEL
 from carom.geometry.vector import larger
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NO_PLACE, NOTHING, FlightRow
-from carom.rows.index import CellRow, IndexRow, ShapeIndex
+from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving, span_box
+from carom.rows.pose import is_moving
 from carom.rows.relation import INSIDE_BALL, LASTING, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.bins import leash
 from carom.world.kernels.continuous.flight import consider, path_box, path_of, top_speed
 from carom.world.kernels.continuous.foresee_balls import foresee_balls, foresee_pairs
 from carom.world.kernels.continuous.queue import put_event, row_of, take_event
-from carom.world.kernels.continuous.spans import many_kinematic
 from carom.world.kernels.continuous.support import lean, slide_time
-from carom.world.kernels.continuous.surfaces import impact_in_motion
-from carom.world.kernels.step.times import substep_length
+from carom.world.kernels.continuous.surfaces import impact_in_motion, span_box
 
 #: No cell: what is looked for may be in several.
 UNSURE = -1
@@ -36,7 +34,9 @@ def foresee(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     flights: Table[FlightRow],
     queue: Table[int],
@@ -44,7 +44,7 @@ def foresee(
     i: int,
 ) -> None:
     """Find what comes next for ball `i` and put it into the queue, or take the ball out if nothing does."""
-    foresee_shapes(state, balls[i], flights[i], shapes, order, shape_index, relations)
+    foresee_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
     if flights[i]["kind"] == FLYING and state["bin_levels"] != 0:
         foresee_balls(state, balls, heads, flights, relations, i, True)
     queue_up(state, flights, queue, i)
@@ -55,7 +55,9 @@ def foresee_all(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     heads: Table[int],
     pairs: Pairs,
     relations: Table[RelationRow],
@@ -63,12 +65,12 @@ def foresee_all(
     queue: Table[int],
 ) -> None:
     """Foresee what comes first for every ball; each pair is looked at once."""
-    duration = substep_length(state)
+    duration = float(state["dt"]) / float(state["substeps"])
     for i in range(state["balls"]):
         if balls[i]["relation"] != NO_RELATION:
             lean(state, balls[i], flights[i], shapes, relations, duration, True)
     for i in range(state["balls"]):
-        foresee_shapes(state, balls[i], flights[i], shapes, order, shape_index, relations)
+        foresee_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
     if state["swept"] != 0:
         foresee_pairs(state, balls, pairs, flights, relations)
     elif state["bin_levels"] != 0:
@@ -93,11 +95,12 @@ def foresee_shapes(
     flight: FlightRow,
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     relations: Table[RelationRow],
 ) -> None:
     """Foresee what comes first for a ball but for other balls: an impact with a shape, or a look around."""
-    index, cells, members = shape_index
     flight["event"] = NOTHING
     flight["event_time"] = state["span"]
     if flight["kind"] != FLYING:
@@ -110,22 +113,22 @@ def foresee_shapes(
         consider(flight, larger(leash(state, flight) - sqrt(dx * dx + dy * dy), 0.0) / speed, LOOK, NO_BALL)
     if speed > 0.0 and ball["relation"] != NO_RELATION:
         foresee_relations(state, ball, flight, shapes, relations, speed)
-    cell = cell_around(index[FIXED], cells, float(ball["x"]), float(ball["y"]), speed * remaining)
+    cell = cell_around(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]), speed * remaining)
     if cell == UNSURE:
-        foresee_fixed(state, ball, flight, shapes, order, shape_index, relations, speed)
+        foresee_fixed(state, ball, flight, shapes, order, index, cells, members, relations, speed)
     else:
         begin, end = cell_span(cells, cell)
         if begin < end:
             duration = float(flight["event_time"]) - float(flight["time"])
             foresee_members(state, ball, flight, shapes, members, relations, begin, end, 0.0, duration)
     if state["shapes"] > state["fixed"]:
-        foresee_kinematic(state, ball, flight, shapes, order, shape_index, relations, speed)
+        foresee_kinematic(state, ball, flight, shapes, order, relations)
 
 
-def cell_around(entry: IndexRow, cells: Table[CellRow], x: float, y: float, way: float) -> int:
+def cell_around(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float, way: float) -> int:
     """The cell that holds every place within `way` of (x, y) along both axes, or UNSURE."""
-    cell = locate(entry, cells, x - way, y - way)
-    if cell >= 0 and locate(entry, cells, x + way, y + way) == cell:
+    cell = locate(state, entry, cells, x - way, y - way)
+    if cell >= 0 and locate(state, entry, cells, x + way, y + way) == cell:
         return cell
     return UNSURE
 
@@ -143,7 +146,7 @@ def foresee_relations(
     while place != NO_RELATION:
         relation = relations[place]
         if relation["kind"] == LASTING:
-            substep = substep_length(state)
+            substep = float(state["dt"]) / float(state["substeps"])
             delay, leaves = slide_time(ball, flight, shapes[relation["other"]], substep)
             consider(flight, delay, LEAVE if leaves else LOOK, row_of(relation["other"]))
         else:
@@ -157,7 +160,9 @@ def foresee_fixed(
     flight: FlightRow,
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
     relations: Table[RelationRow],
     speed: float,
 ) -> None:
@@ -165,44 +170,21 @@ def foresee_fixed(
 
     Its speed is `speed` at most.
     """
-    index, _cells, _members = shape_index
     entry = index[FIXED]
     if entry["cells_begin"] == entry["cells_end"]:
         return
     duration = float(flight["event_time"]) - float(flight["time"])
-    slice_time = time_of_slice(flight, entry, speed)
+    slice_time = duration
+    if speed * duration > entry["side"]:
+        slice_time = float(entry["side"]) / speed
     few = state["fixed"] <= FEW_SHAPES and slice_time < duration
     if few or slice_time * FLIGHT_SLICES < duration:
         foresee_members(state, ball, flight, shapes, order, relations, 0, int(state["fixed"]), 0.0, duration)
         return
-    foresee_slices(state, ball, flight, shapes, shape_index, FIXED, relations, slice_time)
-
-
-def time_of_slice(flight: FlightRow, entry: IndexRow, speed: float) -> float:
-    """The time in which a ball of a top `speed` comes no farther than a cell of an index is wide."""
-    duration = float(flight["event_time"]) - float(flight["time"])
-    if speed * duration > entry["side"]:
-        return float(entry["side"]) / speed
-    return duration
-
-
-def foresee_slices(
-    state: StateRow,
-    ball: BallRow,
-    flight: FlightRow,
-    shapes: Table[ShapeRow],
-    shape_index: ShapeIndex,
-    which: int,
-    relations: Table[RelationRow],
-    slice_time: float,
-) -> None:
-    """Foresee the first impact with a shape of an index, slice by slice of a ball's way, until one is found."""
-    index, cells, members = shape_index
-    duration = float(flight["event_time"]) - float(flight["time"])
     begin = 0.0
     while begin < duration:
         end = min(begin + slice_time, duration)
-        foresee_slice(state, ball, flight, shapes, index[which], cells, members, relations, begin, end)
+        foresee_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end)
         duration = float(flight["event_time"]) - float(flight["time"])
         begin = end
 
@@ -219,19 +201,17 @@ def foresee_slice(
     begin: float,
     end: float,
 ) -> None:
-    """Foresee impacts with the shapes of an index near a slice of a way that is no wider than a cell."""
+    """Foresee impacts with the static shapes near a slice of a way that is no wider than a cell."""
     left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
-    first = locate(entry, cells, left, bottom)
-    if first >= 0 and locate(entry, cells, right, top) == first:
+    first = locate(state, entry, cells, left, bottom)
+    if first >= 0 and locate(state, entry, cells, right, top) == first:
         if cells[first]["begin"] < cells[first]["end"]:
             low, high = cell_span(cells, first)
             foresee_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
-            if entry["span"] > 0.0:
-                foresee_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
         return
-    second = locate(entry, cells, right, bottom)
-    third = locate(entry, cells, left, top)
-    fourth = locate(entry, cells, right, top)
+    second = locate(state, entry, cells, right, bottom)
+    third = locate(state, entry, cells, left, top)
+    fourth = locate(state, entry, cells, right, top)
     for corner in range(4):
         if corner == 0:
             cell = first
@@ -244,8 +224,6 @@ def foresee_slice(
         if cell >= 0:
             low, high = cell_span(cells, cell)
             foresee_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
-            if entry["span"] > 0.0:
-                foresee_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
 
 
 def foresee_members(
@@ -340,62 +318,25 @@ def foresee_kinematic(
     flight: FlightRow,
     shapes: Table[ShapeRow],
     order: Table[int],
-    shape_index: ShapeIndex,
     relations: Table[RelationRow],
-    speed: float,
 ) -> None:
     """Foresee the first impact with a kinematic shape: those that stand still first, then those that move."""
     fixed, count = int(state["fixed"]), int(state["shapes"])
     duration = float(flight["event_time"]) - float(flight["time"])
-    if many_kinematic(state):
-        index, _cells, _members = shape_index
-        slice_time = time_of_slice(flight, index[MOVING], speed)
-        if slice_time * FLIGHT_SLICES >= duration:
-            foresee_slices(state, ball, flight, shapes, shape_index, MOVING, relations, slice_time)
-            return
     foresee_members(state, ball, flight, shapes, order, relations, fixed, count, 0.0, duration)
-    foresee_movers(state, ball, flight, shapes, order, relations, fixed, count, 0.0, duration)
-
-
-def foresee_movers(
-    state: StateRow,
-    ball: BallRow,
-    flight: FlightRow,
-    shapes: Table[ShapeRow],
-    members: Table[int],
-    relations: Table[RelationRow],
-    low: int,
-    high: int,
-    begin: float,
-    end: float,
-) -> None:
-    """Foresee impacts with those of the shapes `members[low:high]` that move, near a slice of a ball's way."""
-    for k in range(low, high):
-        if is_moving(shapes[members[k]]):
-            foresee_moving(state, ball, flight, shapes, row_of(members[k]), relations, begin, end)
+    for k in range(fixed, count):
+        if is_moving(shapes[order[k]]):
+            foresee_moving(state, ball, flight, shapes, row_of(order[k]), relations)
 
 
 def foresee_moving(
-    state: StateRow,
-    ball: BallRow,
-    flight: FlightRow,
-    shapes: Table[ShapeRow],
-    row: int,
-    relations: Table[RelationRow],
-    begin: float,
-    end: float,
+    state: StateRow, ball: BallRow, flight: FlightRow, shapes: Table[ShapeRow], row: int, relations: Table[RelationRow]
 ) -> None:
-    """Foresee the impact with a shape that moves, if it comes near a slice of a ball's way."""
+    """Foresee the impact with a shape that moves."""
     shape = shapes[row]
-    if many_kinematic(state):
-        # The search for a touch with what turns depends in its last bits on how far it looks. Many are found in an
-        # order that depends on the index, so it looks as far as the span goes, whatever was found before.
-        duration = float(state["span"]) - float(flight["time"])
-    else:
-        duration = float(flight["event_time"]) - float(flight["time"])
-        end = duration
+    duration = float(flight["event_time"]) - float(flight["time"])
     path, radius = path_of(ball, flight), float(ball["radius"])
-    left, bottom, right, top = path_box(path, begin, end)
+    left, bottom, right, top = path_box(path, 0.0, duration)
     box_left, box_bottom, box_right, box_top = span_box(shape, float(state["span"]))
     state["box_tests"] += 1
     if (

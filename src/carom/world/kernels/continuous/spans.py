@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from carom.constants import FEW_BALLS, FEW_SHAPES, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
+from carom.constants import FEW_BALLS, STOP_MARGIN, SWEEP_MOST, SWEEP_ROUNDING
 from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
-from carom.rows.index import PairTables
-from carom.rows.pose import acting_spin, advance_pose, is_moving, rest, set_before, span_box
+from carom.rows.index import SlotRow
+from carom.rows.pose import acting_spin, advance_pose, is_moving, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
-from carom.rows.tables import Table
+from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.continuous.bins import may_meet
 from carom.world.kernels.continuous.flight import begin_flight, top_speed
+from carom.world.kernels.continuous.surfaces import span_box
 from carom.world.kernels.step.motion import wake_in_box
 
 
@@ -35,20 +36,12 @@ def span_length(state: StateRow, shapes: Table[ShapeRow], order: Table[int], lef
     return span
 
 
-def many_kinematic(state: StateRow) -> bool:
-    """True if there are more kinematic shapes than are worth looking at one by one, so that they have an index."""
-    return bool(state["shapes"] - state["fixed"] > FEW_SHAPES)
-
-
 def set_shapes_going(state: StateRow, balls: Table[BallRow], shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Note how the kinematic shapes move in the span, and wake the balls in their way."""
     for k in range(state["fixed"], state["shapes"]):
         shape = shapes[order[k]]
         set_before(shape)
         shape["spin"] = acting_spin(shape)
-        if many_kinematic(state) and is_moving(shape):
-            # Its index is to hold it wherever it comes in this span.
-            state["moving_stale"] = 1
         if state["sleeping"] > 0 and is_moving(shape):
             left, bottom, right, top = span_box(shape, float(state["span"]))
             wake_in_box(state, balls, left, bottom, right, top)
@@ -85,9 +78,11 @@ def sweep_pairs(
     state: StateRow,
     balls: Table[BallRow],
     flights: Table[FlightRow],
-    pair_tables: PairTables,
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
 ) -> bool:
-    """True when the pairs are all that may meet in the span, or the balls are too fast for that; False: no room."""
+    """True when `pairs` are all that may meet in the span, or the balls are too fast for that; False: no room."""
     way = 0.0
     smallest = float(balls[0]["radius"])
     for i in range(state["balls"]):
@@ -95,7 +90,7 @@ def sweep_pairs(
         smallest = min(smallest, float(balls[i]["radius"]))
     if way > SWEEP_MOST * smallest:
         return True
-    count = pairs_by_grid(state, balls, pair_tables, way * SWEEP_ROUNDING)
+    count = pairs_by_grid(state, balls, (slots, starts, pairs), way * SWEEP_ROUNDING)
     if count < 0:
         return False
     state["pairs"] = count

@@ -37,7 +37,6 @@ from carom.rows.tables import Row, Table
 from carom.world.kernels.continuous.flight import fall_freely
 from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.relations import drop_relation
-from carom.world.kernels.step.times import substep_length
 
 
 def holding_acceleration(
@@ -118,7 +117,7 @@ def slow_rebound(
     press = max(press, pressure(shape, float(flight["time"]), ball, nx, ny, float(flight["ax"]), float(flight["ay"])))
     if press <= 0.0:
         return 0.0
-    substep = substep_length(state)
+    substep = float(state["dt"]) / float(state["substeps"])
     if elasticity < 1.0:
         return lasting_speed(press, substep)
     often = 0.5 * press * substep / float(state["max_impacts"])

@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import cos, fabs, sin
 
 from carom.constants import END_SLOP
 from carom.geometry.path import Path, Turning
-from carom.geometry.vector import rotated
+from carom.geometry.vector import length, rotated
 from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.shape import ShapeRow
+
+
+def span_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
+    """A box around a moving shape that it does not leave during the span."""
+    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
+    left, bottom = float(shape["left"]), float(shape["bottom"])
+    right, top = float(shape["right"]), float(shape["top"])
+    shift_x, shift_y = float(shape["velocity_x"]) * span, float(shape["velocity_y"]) * span
+    if shape["spin"] != 0.0:
+        reach = length(max(px - left, right - px), max(py - bottom, top - py))
+        # Turning by an angle moves nothing farther than by that angle times its distance from the pivot.
+        way = min(fabs(float(shape["spin"])) * span, 3.0) * reach
+        left, right = max(left - way, px - reach), min(right + way, px + reach)
+        bottom, top = max(bottom - way, py - reach), min(top + way, py + reach)
+    return left + min(shift_x, 0.0), bottom + min(shift_y, 0.0), right + max(shift_x, 0.0), top + max(shift_y, 0.0)
 
 
 def into_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[float, float]:

@@ -122,7 +122,7 @@ def begin_substep(
         if not shapes_are_sound(state, shapes, order):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
-    if not rebuild_index(state, balls, shapes, order, shape_index, 0.0):
+    if not rebuild_index(state, balls, shapes, order, shape_index):
         return NEEDS_PAIRS
     state["iteration"] = 0
     state["found"] = 0
@@ -136,18 +136,17 @@ def rebuild_index(
     shapes: Table[ShapeRow],
     order: Table[int],
     shape_index: ShapeIndex,
-    span: float,
 ) -> bool:
-    """True when the index of the shapes is right again, for `span` seconds of their motion; False: it has no room."""
+    """True when the index of the shapes is right again; False where it has no room."""
     index, cells, members = shape_index
     if state["index_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), 0.0, cells, members):
+        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
             return False
         state["index_stale"] = 0
         # The kinematic index begins where the static one ends.
         state["moving_stale"] = 1
     if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), span, cells, members):
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
             return False
         state["moving_stale"] = 0
     return True
@@ -194,7 +193,7 @@ def meet_all_shapes(
         for turn in range(2):
             # Static shapes last in that round: what moves may push a ball into a wall, never the reverse.
             entry = index[1 - turn if settling else turn]
-            cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
+            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
             k, end = cell_span(cells, cell)
             state["box_tests"] += end - k
             left = NEW_CELLS
@@ -214,7 +213,7 @@ def meet_all_shapes(
                 )
                 # A push may have taken it into another cell, whose shapes it meets from there on, in the same order.
                 if pushed and left > 0:
-                    new_cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
+                    new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
                     if new_cell != cell:
                         left -= 1
                         cell = new_cell

@@ -56,7 +56,7 @@ def barrier(
         return found
     x, y = float(ball["x"]) + dx, float(ball["y"]) + dy
     for which in range(2):
-        begin, end = cell_span(cells, locate(index[which], cells, x, y))
+        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
         for k in range(begin, end):
             row = int(members[k])
             if row != pusher and found != ACROSS:
@@ -112,6 +112,7 @@ def holds_back(ball: BallRow, shape: ShapeRow, still: bool) -> bool:
 
 
 def pressed_depth(
+    state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
     shape_index: ShapeIndex,
@@ -126,7 +127,7 @@ def pressed_depth(
     x, y, radius = float(ball["x"]) + setback * nx, float(ball["y"]) + setback * ny, float(ball["radius"])
     deepest = 0.0
     for which in range(2):
-        begin, end = cell_span(cells, locate(index[which], cells, x, y))
+        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
         for k in range(begin, end):
             row = int(members[k])
             shape = shapes[row]

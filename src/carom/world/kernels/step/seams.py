@@ -60,7 +60,7 @@ def yields_to_wall(
     index, cells, members = shape_index
     # A ball that overlaps the wall is in the wall's reach, so the wall is in the cell of the ball's centre.
     for which in range(2):
-        k, end = cell_span(cells, locate(index[which], cells, x, y))
+        k, end = cell_span(cells, locate(state, index[which], cells, x, y))
         while k < end:
             row = int(members[k])
             k += 1
