@@ -15,7 +15,7 @@ from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
 from carom.world.kernels.continuous.flight import begin_flight, new_flights
-from carom.world.kernels.continuous.spans import many_kinematic, set_shapes_going
+from carom.world.kernels.continuous.spans import set_shapes_going
 from carom.world.tables import Arrays
 
 Ball = tuple[float, float, float]
@@ -60,8 +60,8 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, arrays: int = 4096) -> 
     return [(min(i, j), max(i, j)) for i, j in pairs[:count].tolist()]
 
 
-def prepare_index(world: World, reach: float, span: float = 0.0) -> None:
-    """Make the index of a world's shapes for balls up to a radius, as the next step, or span of one, would."""
+def prepare_index(world: World, reach: float) -> None:
+    """Make the index of a world's shapes for balls up to a radius, as the next step would."""
     arrays = world._arrays
     arrays.prepare()
     state = arrays.states[0]
@@ -74,7 +74,6 @@ def prepare_index(world: World, reach: float, span: float = 0.0) -> None:
             arrays.index,
             which,
             reach,
-            span if which == MOVING else 0.0,
             arrays.cells,
             arrays.members,
         ):
@@ -84,7 +83,7 @@ def prepare_index(world: World, reach: float, span: float = 0.0) -> None:
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     """The rows of the shapes that the index gives for a place, in its order."""
     arrays = world._arrays
-    begin, end = cell_span(arrays.cells, locate(arrays.index[which], arrays.cells, x, y))
+    begin, end = cell_span(arrays.cells, locate(arrays.states[0], arrays.index[which], arrays.cells, x, y))
     rows: list[int] = arrays.members[begin:end].tolist()
     return rows
 
@@ -107,7 +106,7 @@ def in_flight(world: World, span: float) -> Arrays:
     state = arrays.states[0]
     state["dt"] = state["span"] = span
     set_shapes_going(state, arrays.balls.rows, arrays.shapes.rows, arrays.order)
-    prepare_index(world, float(world.balls.radius.max(initial=0.0)), span if many_kinematic(state) else 0.0)
+    prepare_index(world, float(world.balls.radius.max(initial=0.0)))
     state["substeps"] = state["steps_left"] = 1
     state["binned"] = state["swept"] = state["queued"] = 0
     state["bin_levels"] = 1

@@ -25,7 +25,7 @@ def flying(world: World, span: float) -> Arrays:
 
 def come(arrays: Arrays, i: int, time: float) -> list[tuple[int, float]]:
     """The kinds and times of hits that a ball finds when it has flown until a time."""
-    tables = arrays.shapes.rows, arrays.order, shape_index(arrays), np.zeros(64, "i4"), arrays.flights
+    tables = arrays.shapes.rows, arrays.order, *shape_index(arrays), np.zeros(64, "i4"), arrays.flights
     hits = arrays.hits.view(HIT_ROW)
     arrive(arrays.states[0], arrays.balls.rows, *tables, hits, arrays.relations, i, time)
     return [(int(hit["kind"]), float(hit["time"])) for hit in hits[: int(arrays.states[0]["hits"])]]

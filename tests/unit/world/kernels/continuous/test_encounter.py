@@ -32,7 +32,7 @@ def met(arrays: Arrays, rest_speed: float = 0.0) -> bool:
 
 def touched(arrays: Arrays, rest_speed: float = 0.0) -> None:
     """Let the first ball touch the first shape."""
-    found = arrays.shapes.rows, 0, shape_index(arrays), arrays.hits.view(HIT_ROW), arrays.relations
+    found = arrays.shapes.rows, 0, *shape_index(arrays), arrays.hits.view(HIT_ROW), arrays.relations
     impact_with_shape(arrays.states[0], arrays.balls.rows[0], arrays.flights[0], 0, *found, rest_speed)
 
 

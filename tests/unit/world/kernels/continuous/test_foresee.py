@@ -8,7 +8,6 @@ import pytest
 
 import carom
 from carom.rows.flight import HIT_SHAPE, LEAVE, LOOK, NOTHING
-from carom.rows.index import ShapeIndex
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.relation import LASTING, PASSING
 from carom.rows.tables import Rows
@@ -58,9 +57,9 @@ def earliest(arrays: Arrays, i: int) -> float:
     return first
 
 
-def tables(arrays: Arrays) -> tuple[Rows, Rows, ShapeIndex]:
+def tables(arrays: Arrays) -> tuple[Rows, ...]:
     """The shapes, and how they are found."""
-    return arrays.shapes.rows, arrays.order, shape_index(arrays)
+    return arrays.shapes.rows, arrays.order, *shape_index(arrays)
 
 
 @pytest.mark.parametrize(

@@ -83,7 +83,7 @@ def test_each_pair_is_foreseen_by_one_of_its_balls(seed: int) -> None:
     state, balls, flights = arrays.states[0], arrays.balls.rows, arrays.flights
     state["span"] = 0.05
     arrays.pairs = np.zeros((999, 2), "i4")
-    assert sweep_pairs(state, balls, flights, (arrays.slots, np.zeros(999, "i4"), arrays.pairs))
+    assert sweep_pairs(state, balls, flights, arrays.slots, np.zeros(999, "i4"), arrays.pairs)
     assert state["swept"] == 1
     foresee_pairs(state, balls, arrays.pairs, flights, arrays.relations)
     times = [earliest(arrays, i)[0] for i in range(COUNT) if flights[i]["kind"] != STALLED]

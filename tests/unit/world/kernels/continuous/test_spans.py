@@ -72,7 +72,7 @@ def test_all_pairs_that_come_near_in_a_span_are_found_at_once(seed: int) -> None
     state, balls = room.states[0], room.balls.used
     assert begin_flights(state, balls, room.flights)
     pairs = np.zeros((1000, 2), "i4")
-    assert sweep_pairs(state, balls, room.flights, (room.slots, np.zeros(9999, "i4"), pairs))
+    assert sweep_pairs(state, balls, room.flights, room.slots, np.zeros(9999, "i4"), pairs)
     assert state["swept"] == 1
     found = {frozenset(pair) for pair in pairs[: int(state["pairs"])].tolist()}
     times = np.linspace(0, 0.1, 30)
@@ -95,7 +95,7 @@ def test_balls_that_are_too_fast_are_not_swept_and_a_few_are_neither_swept_nor_b
     assert begin_flights(room.states[0], room.balls.rows, room.flights)
     assert (room.flights["kind"] == STALLED).sum() == 1
     nothing = np.zeros(0, "i4"), np.zeros((0, 2), "i4")
-    assert sweep_pairs(room.states[0], room.balls.rows, room.flights, (room.slots, *nothing))
+    assert sweep_pairs(room.states[0], room.balls.rows, room.flights, room.slots, *nothing)
     assert room.states[0]["swept"] == 0
     few = in_flight(continuous_world(*(Ball((3.0 * k, 0), 1) for k in range(4))), 1.0)
     assert not begin_flights(few.states[0], few.balls.rows, few.flights)

@@ -7,12 +7,13 @@ import pytest
 
 from carom import Arc, Circle, Point, Segment, Shape
 from carom.geometry.path import Path
-from carom.rows.pose import span_box, surface_velocity
+from carom.rows.pose import surface_velocity
 from carom.world.kernels.continuous.surfaces import (
     gap_to_shape,
     impact_in_motion,
     into_frame,
     out_of_frame,
+    span_box,
 )
 
 MOVING = {"motion": "kinematic", "pivot": (0.5, -0.5), "velocity": (1.5, -0.5), "angular_velocity": 2.0}
