@@ -42,10 +42,10 @@ def state_row(balls: Rows, phase: str, levels: int) -> Rows:
     return state
 
 
-def found_pairs(rows: Rows, phase: str, levels: int = 6, arrays: int = 4096) -> list[Pair]:
+def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> list[Pair]:
     """The pairs that a broad phase finds, each from the lower to the higher row, in its order."""
     state = state_row(rows, phase, levels)
-    pairs = np.full((arrays, 2), -1, "i4")
+    pairs = np.full((room, 2), -1, "i4")
     if phase == "brute":
         count = pairs_by_brute_force(state, rows, pairs)
     elif phase == "grid":
