@@ -27,7 +27,7 @@ def test_pictures_and_studies_need_no_import_of_their_own() -> None:
     program = (
         "import sys, carom; before = set(sys.modules)\n"
         "assert not {'carom.draw', 'carom.study'} & before\n"
-        "print(carom.draw.paint.svg.__name__, carom.draw.Film.__name__, carom.study.plots.energy.__name__)\n"
+        "print(carom.draw.svg.__name__, carom.draw.Film.__name__, carom.study.plots.energy.__name__)\n"
         "assert carom.draw is sys.modules['carom.draw'] and 'matplotlib' not in sys.modules"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
