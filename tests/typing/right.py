@@ -166,7 +166,7 @@ recorder = carom.Recorder(world, name="run")
 recorder.note(world.step(1 / 60))
 again: carom.Recording = recorder.finish()
 points: list[carom.Point] = carom.guard_points([wall, mill], tolerance=1e-6)
-picture: str = carom.draw.paint.svg(carom.draw.picture_of(world, "table", caption="a table"))
+picture: str = carom.draw.svg(carom.draw.picture_of(world, "table", caption="a table"))
 pixels: bytes = carom.draw.png(carom.draw.picture_at(recording, 3))
 axes = carom.study.plots.energy(recording)
 
