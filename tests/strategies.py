@@ -21,6 +21,7 @@ def numbers(low: float, high: float) -> st.SearchStrategy[float]:
     )
 
 
+seeds = st.integers(0, 2**32 - 1)
 coordinates = numbers(-100.0, 100.0)
 radii = numbers(0.001, 50.0)
 masses = numbers(0.001, 1000.0)

@@ -8,16 +8,14 @@ from hypothesis import strategies as st
 
 from carom.constants import END_DEPTH_CONTINUOUS
 from carom.geometry import advance as advances
-from carom.geometry import turning as turnings
 from carom.geometry.arc import arc_ends
 from carom.geometry.vector import unit
 from tests.flat import flat
+from tests.unit.geometry.impact_figures import SLOP, STILL
 
-advance, turning = flat(advances), flat(turnings)
+advance = flat(advances)
 ORIGIN = (0.0, 0.0, 0.0, 0.0)
 HAND = (0.0, 0.0, 1.0, 0.0, 10.0)
-STILL = (0.0, 0.0)
-SLOP = 1e-9
 finite = st.floats(allow_nan=False, allow_infinity=False)
 positive = st.floats(0.0, allow_infinity=False, exclude_min=True)
 
@@ -161,51 +159,6 @@ def test_a_search_that_takes_too_many_steps_stops_where_the_ball_is_clear() -> N
     near = 1.0 + 1e-12
     time = advance.advance_segment(*HAND, *ORIGIN, 1e7, 0.0, near, 1.0, -1e7 * near, 0.0, *STILL, 1e6, SLOP)
     assert time is None or time >= 0.0
-
-
-def test_the_gap_of_a_circle_goes_on_smoothly_where_its_form_changes() -> None:
-    for form in (turnings.OUTER, turnings.INNER):
-        for x in (4.9999999, 5.0000001):
-            gap, rate = turning.seen_gap(0.0, form, 0.0, 0.0, 5.0, x, 0.0, 2.0, 0.0, *STILL, 0.0)
-            sign = 1.0 if form == turnings.OUTER else -1.0
-            assert gap == pytest.approx(sign * (x - 5.0), rel=1e-6)
-            assert rate == pytest.approx(sign * 2.0, rel=1e-6)
-
-
-@given(
-    st.lists(st.floats(-10.0, 10.0), min_size=8, max_size=8), st.floats(0.0, 2.0), st.sampled_from((0, 1, 2)), st.data()
-)
-def test_the_bounds_of_the_search_hold(numbers: list[float], duration: float, form: int, data: st.DataObject) -> None:
-    px, py, vx, vy, gx, gy, spin, angle = numbers
-    kx, ky, level = (cos(angle), sin(angle), 0.5) if form == turnings.LINE else (angle, 1.0, 3.0)
-    motion = (px, py, vx, vy, gx, gy, spin)
-    speed, acceleration = turning.seen_bounds(*motion, duration)
-    bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
-    first, second = sorted(data.draw(st.lists(st.floats(0.0, 1.0), min_size=2, max_size=2)))
-    gap1, rate1 = turning.seen_gap(first * duration, form, kx, ky, level, *motion)
-    gap2, _ = turning.seen_gap(second * duration, form, kx, ky, level, *motion)
-    step = (second - first) * duration
-    noise = 1e-9 * (1.0 + speed) * (1.0 + speed)
-    if gap1 > 0.0:  # as long as it stays above 0, so at least up to where the bound itself falls to 0
-        bound = gap1 + rate1 * step - 0.5 * bend_fall * step * step
-        assert gap2 >= bound - noise or step > turning.safe_step(gap1, rate1, bend_fall)
-    else:
-        bound = gap1 + rate1 * step + 0.5 * bend_rise * step * step
-        assert gap2 <= bound + noise or step > turning.safe_step(noise - gap1, -rate1, bend_rise)
-    assert abs(rate1) <= speed + noise
-
-
-@pytest.mark.parametrize("form", [turnings.OUTER, turnings.INNER])
-def test_the_bounds_know_how_a_circle_curves(form: int) -> None:
-    # straight across a circle, whose form there is the square of the distance
-    level, motion = 3.0, (-0.1, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0)
-    speed, acceleration = turning.seen_bounds(*motion, 0.2)
-    gap1, rate1 = turning.seen_gap(0.0, form, 0.0, 0.0, level, *motion)
-    gap2, rate2 = turning.seen_gap(0.2, form, 0.0, 0.0, level, *motion)
-    bend_fall, bend_rise = turning.seen_bends(form, level, speed, acceleration)
-    assert acceleration == 0.0
-    assert rate2 - rate1 == pytest.approx(0.2 * (bend_rise if form == turnings.OUTER else -bend_fall), rel=1e-6)
-    assert gap1 == pytest.approx(gap2, abs=1e-12)
 
 
 @given(st.lists(finite, min_size=16, max_size=16), positive, positive, positive, st.booleans())

@@ -12,71 +12,15 @@ from carom.geometry.arc import arc_ends
 from carom.geometry.path import Path
 from carom.geometry.vector import unit
 from tests.flat import flat
+from tests.unit.geometry.impact_figures import BOWL, FLOOR, RIGHT_HALF, SLOP, STILL
 
 impact = flat(impacts)
-STILL = (0.0, 0.0)
-FLOOR = (0.0, 0.0, 1.0, 0.0, 10.0)
-RIGHT_HALF = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, 1.5 * pi, 0.5 * pi))
-BOWL = (0.0, 0.0, 5.0, *arc_ends(0.0, 0.0, 5.0, pi, 0.0))
-SLOP = 1e-9
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 positive = st.floats(0.0, allow_infinity=False, exclude_min=True)
 
 
-def approx(time: float) -> object:
-    """The time, but for its last digits."""
-    return pytest.approx(time, rel=1e-15)
-
-
 # -- straight motion -----------------------------------------------------------------------------------------------
-
-
-def test_a_ball_meets_a_point_head_on() -> None:
-    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, 5.0) == 3.0
-
-
-def test_a_ball_meets_a_point_off_its_line() -> None:
-    assert impact.impact_point(10.0, 3.0, 0.0, 0.0, 5.0, 2.0, 0.0, *STILL, 5.0) == 3.0
-
-
-def test_a_ball_whose_line_passes_a_point_at_its_radius_only_grazes_it() -> None:
-    assert impact.impact_point(10.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, *STILL, 50.0) is None
-
-
-def test_a_ball_that_stops_short_has_no_impact() -> None:
-    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, 3.0) == 3.0
-    assert impact.impact_point(10.0, 0.0, 0.0, 0.0, 1.0, 3.0, 0.0, *STILL, nextafter(3.0, 0.0)) is None
-    assert impact.impact_segment(*FLOOR, 5.0, 3.0, 1.0, 0.0, -1.0, *STILL, 1.9, SLOP) is None
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 0.0, 1.0, 1.0, 0.0, *STILL, 3.9) is None
-
-
-def test_a_segment_is_met_from_both_sides() -> None:
-    assert impact.impact_segment(*FLOOR, 5.0, 3.0, 1.0, 0.5, -1.0, *STILL, 5.0, SLOP) == 2.0
-    assert impact.impact_segment(*FLOOR, 5.0, -3.0, 1.0, 0.5, 1.0, *STILL, 5.0, SLOP) == 2.0
-
-
-def test_a_circle_is_met_from_outside_and_from_inside() -> None:
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, -2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 3.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 1.0
-
-
-def test_a_solid_circle_is_met_from_outside_alone() -> None:
-    assert impact.impact_circle(0.0, 0.0, 5.0, 1, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) == 2.0
-    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 2.0, 0.0, 1.0, 2.0, 0.0, *STILL, 5.0) is None
-    assert impact.impact_circle(0.0, 0.0, 5.0, 1, 2.0, 0.0, 1.0, -2.0, 0.0, *STILL, 5.0) == 0.0
-
-
-def test_an_arc_is_met_within_its_sector() -> None:
-    assert impact.impact_arc(*RIGHT_HALF, 10.0, 0.0, 1.0, -2.0, 0.0, *STILL, 9.0, SLOP) == 2.0
-    assert impact.impact_arc(*RIGHT_HALF, 0.0, 0.0, 1.0, 2.0, 0.0, *STILL, 9.0, SLOP) == 2.0
-    assert impact.impact_arc(*RIGHT_HALF, 0.0, 0.0, 1.0, -2.0, 0.0, *STILL, 9.0, SLOP) is None
-
-
-def test_a_ball_that_comes_in_by_the_gap_of_an_arc_meets_its_inside() -> None:
-    assert impact.impact_arc(*RIGHT_HALF, -10.0, 0.0, 1.0, 2.0, 0.0, *STILL, 9.0, SLOP) == 7.0
 
 
 def test_two_balls_meet_by_their_relative_motion() -> None:
@@ -87,44 +31,6 @@ def test_two_balls_meet_by_their_relative_motion() -> None:
 
 
 # -- falling -------------------------------------------------------------------------------------------------------
-
-
-def test_a_ball_falls_onto_a_floor_a_point_and_a_bumper() -> None:
-    assert impact.impact_segment(*FLOOR, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0, SLOP) == 1.0
-    assert impact.impact_point(5.0, 0.0, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
-    assert impact.impact_circle(5.0, -3.0, 3.0, 1, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
-    assert impact.impact_circle(5.0, -3.0, 3.0, 0, 5.0, 6.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
-
-
-def test_a_ball_falls_within_a_circle_and_into_a_bowl() -> None:
-    assert impact.impact_circle(0.0, 0.0, 6.0, 0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0) == approx(1.0)
-    assert impact.impact_arc(*BOWL, 0.0, 16.0, 1.0, 0.0, 0.0, 0.0, -10.0, 5.0, SLOP) == approx(2.0)
-
-
-def test_a_ball_thrown_up_meets_what_it_falls_back_on() -> None:
-    assert impact.impact_segment(*FLOOR, 5.0, 1.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0, SLOP) == 1.0
-    assert impact.impact_circle(0.0, -5.0, 5.0, 1, 0.0, 1.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0) == approx(1.0)
-    assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 0.0, 5.0, 0.0, -10.0, 5.0) == approx(1.0)
-
-
-def test_a_ball_thrown_past_an_end_comes_back_to_the_other_side() -> None:
-    # up past the left end, back down beside it, where it meets the wall's left side
-    wall = (0.0, 0.0, 0.0, 1.0, 4.0)
-    assert impact.impact_segment(*wall, 3.0, 6.0, 1.0, -10.0, 0.0, 8.0, -2.0, 5.0, SLOP) == pytest.approx(2.0)
-
-
-def test_of_two_dips_towards_a_point_the_first_that_is_deep_enough_counts() -> None:
-    # a throw over the point: it passes closest beside it on its way up, and again on its way down
-    x, y, vx, vy, pull = -1.05, -1.0, 1.0, 8.0, 8.0
-    times = [0.001 * step for step in range(2001)]
-    away = [hypot(x + vx * t, y + vy * t - 0.5 * pull * t * t) for t in times]
-    first, second = min(away[:1000]), min(away[1000:])
-    assert second < first
-    for level, start in ((first + 0.01, 0), (0.5 * (first + second), 1000)):
-        expected = next(t for t, distance in zip(times[start:], away[start:], strict=True) if distance <= level)
-        found = impact.impact_point(0.0, 0.0, x, y, level, vx, vy, 0.0, -pull, 2.0)
-        assert found == pytest.approx(expected, abs=0.001)
-    assert impact.impact_point(0.0, 0.0, x, y, second - 0.01, vx, vy, 0.0, -pull, 2.0) is None
 
 
 # -- touching ------------------------------------------------------------------------------------------------------
@@ -172,14 +78,6 @@ def test_a_ball_pressed_to_a_surface_has_its_impact_now(noise: float) -> None:
     assert impact.impact_circle(0.0, 0.0, 5.0, 1, 0.0, 6.0, 1.0, 1.0, noise, 0.0, -0.2, 1.0) == 0.0
     assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, noise, 0.0, -0.2, 1.0) == 0.0
     assert impact.impact_circle(0.0, 0.0, 5.0, 0, 0.0, -4.0, 1.0, 1.0, noise, *STILL, 1.0) == 0.0
-
-
-def test_a_hop_from_a_touch_too_deep_by_rounding_ends_where_it_began() -> None:
-    deep = nextafter(1.0, 0.0)
-    assert impact.impact_segment(*FLOOR, 5.0, deep, 1.0, 0.0, 1e-9, 0.0, -1.0, 1.0, SLOP) == pytest.approx(2e-9)
-    hop = impact.impact_circle(0.0, -5.0, 5.0, 1, 0.0, 1.0 - 1e-15, 1.0, 0.0, 1e-6, 0.0, -1.0, 1.0)
-    assert hop == pytest.approx(2e-6, rel=1e-2)
-    assert impact.impact_circle(0.0, 0.0, 1.0, 0, 0.0, 1e-13 - 0.5, 0.5, 0.0, 1.0, *STILL, 2.0) == pytest.approx(1.0)
 
 
 def test_a_chord_from_a_touch_too_deep_by_rounding_ends_as_deep() -> None:
@@ -287,11 +185,6 @@ def test_a_small_ball_from_far_away_hits_to_the_last_digits(away: float, pull: f
     x, y = away + vx * time, offset + vy * time - 0.5 * pull * time * time
     assert hypot(x, y) == pytest.approx(radius, abs=1e-15 * away)
     assert x > 0.0
-
-
-def test_the_touch_of_a_ball_inside_a_circle_hardly_larger_than_it_is_exact() -> None:
-    time = impact.impact_circle(0.0, 0.0, 1.0 + 1e-9, 0, 0.0, 0.0, 1.0, 3.0, 4.0, *STILL, 1.0)
-    assert time == pytest.approx(((1.0 + 1e-9) - 1.0) / 5.0, rel=1e-14)
 
 
 def test_a_ball_that_fills_a_circle_touches_as_soon_as_it_leaves_the_middle() -> None:

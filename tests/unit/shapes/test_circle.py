@@ -2,7 +2,7 @@
 
 import pytest
 
-from carom import Arc, Ball, Circle, InvalidArgument
+from carom import Ball, Circle, InvalidArgument
 
 
 def test_a_circle_is_what_it_was_made() -> None:
@@ -13,11 +13,6 @@ def test_a_circle_is_what_it_was_made() -> None:
         "Circle((1.0, 2.0), 3.0)",
         "Circle((1.0, 2.0), 3.0, solid=True)",
     )
-
-
-def test_the_inside_is_strict() -> None:
-    assert Circle((0, 0), 5).contains((3, 3.9))
-    assert not Circle((0, 0), 5).contains((3, 4))
 
 
 def test_the_closest_point_is_on_the_perimeter() -> None:
@@ -50,19 +45,6 @@ def test_centres_that_coincide(velocity: tuple[int, int], normal: tuple[float, f
     assert contact is not None
     assert contact.normal == pytest.approx(normal)
     assert contact.setback == 3.0
-
-
-def test_tangents_touch_all_that_is_round() -> None:
-    circle = Circle((0, 0), 3)
-    assert circle.tangent_points((5, 0)) is not None
-    assert circle.tangent_points((1, 0)) is None
-    assert circle.tangent_points((3, 0)) == ((3.0, 0.0), (3.0, 0.0))
-    for other in (Circle((9, 0), 3), Ball((9, 0), 3), Arc((9, 0), 3, 0, 1)):
-        upper = circle.common_tangent(other)
-        assert upper is not None
-        assert (upper.p0, upper.p1) == ((0.0, 3.0), (9.0, 3.0))
-    assert circle.common_tangents(Circle((1, 0), 1)) is None
-    assert circle.common_tangents(Circle((2, 0), 1)) is None
 
 
 def test_changes_keep_everything_in_step() -> None:

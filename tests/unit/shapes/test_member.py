@@ -120,31 +120,6 @@ def test_a_copy_of_what_is_in_a_world_is_lone() -> None:
     assert copy.copy(ball).id is None
 
 
-class Bumper(Circle):
-    """A user's own kind of circle."""
-
-    def __init__(self, *args: Any, points: int = 100, **options: Any) -> None:
-        super().__init__(*args, **options)
-        self.points = points
-
-
-def test_a_users_own_class_keeps_what_it_adds() -> None:
-    bumper = Bumper((0, 0), 1, points=500, kick=3)
-    assert (bumper.kick, bumper.kind) == (3.0, "circle")
-    for twin in (copy.copy(bumper), pickle.loads(pickle.dumps(bumper))):
-        assert (type(twin), twin.points, twin.kick) == (Bumper, 500, 3.0)
-    assert {"points", "kick", "elasticity"} <= set(inspect.signature(Bumper).parameters)
-
-
-@pytest.mark.parametrize("kind", SHAPE_CLASSES.values())
-def test_signatures_show_the_options_of_every_shape(kind: type[Shape]) -> None:
-    parameters = inspect.signature(kind).parameters
-    common = list(inspect.signature(Point).parameters)[1:]
-    assert list(parameters)[-len(common) :] == common
-    assert len(common) == 14
-    assert all(parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in common)
-
-
 @each_member
 def test_a_member_can_be_held_weakly(member: Member) -> None:
     twin = copy.copy(member)

@@ -87,52 +87,6 @@ def test_a_static_shape_does_not_turn() -> None:
         Point((0, 0)).rotate((0, 0), 1.0)
 
 
-@pytest.mark.parametrize(
-    ("option", "value"), [("velocity", (1, 0)), ("angular_velocity", 0.5), ("turn_limits", (-1, 1))]
-)
-def test_what_would_do_nothing_on_a_static_shape_is_refused(option: str, value: object) -> None:
-    with pytest.raises(InvalidArgument, match=f"{option} must not be set unless motion is 'kinematic'"):
-        Circle((0, 0), 1, **{option: value})
-    circle = Circle((0, 0), 1)
-    with pytest.raises(InvalidArgument, match=option):
-        setattr(circle, option, value)
-    circle.motion = "kinematic"
-    setattr(circle, option, value)
-    with pytest.raises(InvalidArgument, match="motion must stay 'kinematic' while"):
-        circle.motion = Motion.STATIC
-    assert circle.motion is Motion.KINEMATIC
-
-
-def test_nothing_is_what_a_static_shape_may_be_told() -> None:
-    circle = Circle((0, 0), 1, velocity=(0, 0), angular_velocity=0, turn_limits=None, rotating=False)
-    circle.velocity = (0, 0)
-    circle.turn_limits = None
-    assert circle.motion is Motion.STATIC
-
-
-def test_only_balls_are_dynamic() -> None:
-    with pytest.raises(InvalidArgument, match=r"motion must be 'static' or 'kinematic' .*, not <Motion.DYNAMIC: 2>"):
-        Point((0, 0), motion=Motion.DYNAMIC)
-
-
-def test_turn_limits_hold_the_orientation_and_its_beginning() -> None:
-    hand = Segment((0, 0), (1, 0), motion="kinematic", turn_limits=(0, 1))
-    hand.rotate((0, 0), 0.8)
-    for limits in [(0, 0.5), (0.2, 1), (-1, 0.79)]:
-        with pytest.raises(InvalidArgument, match=r"turn_limits must be \(low, high\) with 0 and the orientation 0\.8"):
-            hand.turn_limits = limits
-    with pytest.raises(InvalidArgument, match=r"angle must be within turn_limits=\(0\.0, 1\.0\), not 1\.5"):
-        hand.rotate((0, 0), 1.5)
-    assert (hand.orientation, hand.turn_limits) == (0.8, (0.0, 1.0))
-    back = Segment((0, 0), (1, 0), motion="kinematic", turn_limits=(-1, 0))
-    back.rotate((0, 0), -0.8)
-    with pytest.raises(InvalidArgument, match="turn_limits must be"):
-        back.turn_limits = (-1, -0.2)
-    hand.turn_limits = None
-    hand.rotate((0, 0), 1.5)
-    assert hand.orientation == 1.5
-
-
 def test_the_velocity_of_a_surface() -> None:
     hand = Segment((0, 0), (2, 0), motion="kinematic", pivot=(0, 0), angular_velocity=3, velocity=(1, -1))
     assert hand.surface_velocity((2, 0)) == (1.0, 5.0)

@@ -5,7 +5,6 @@ import pytest
 
 import carom
 from carom.rows.ball import BALL
-from carom.rows.shape import SHAPE
 from carom.world.tables import Arrays, WorldTable, grown
 
 
@@ -84,8 +83,3 @@ def test_hits_that_are_given_back_come_first() -> None:
     early["time"] = [1.0, 2.0]
     arrays.give_back(early)
     assert arrays.hits["time"][: arrays.states[0]["hits"]].tolist() == [1, 2, 3, 4]
-
-
-def test_no_row_has_padding() -> None:
-    for dtype in (BALL, SHAPE):
-        assert dtype.itemsize == sum(dtype[name].itemsize for name in dtype.names or ())
