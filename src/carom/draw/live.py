@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from carom.checks import refuse, whole
-from carom.draw.history.wake import Wake
+from carom.draw.history.past import Past
 from carom.draw.paint.raster import RasterPainter
 from carom.draw.parts.cells import partition_of
 from carom.draw.parts.frame import LEAST_SIDE, MOST_SIDE, Frame
@@ -84,7 +84,7 @@ class Live:
             raise refuse("box", "must have a width and a height", box)
         self.frame = frame_around(box, size)
         self._world = world
-        self._wake = Wake(world, SPAN)
+        self._past = Past(world, SPAN)
         self._painter = RasterPainter(self.frame, theme)
         self._own = self._painter.surface
         self._changing = frozenset(shape.id for shape in changing)
@@ -105,11 +105,11 @@ class Live:
 
     def note(self, hits: Rows) -> None:
         """Remember the `hits` of a step that was just made, and where the balls are now."""
-        self._wake.note(hits)
+        self._past.note(hits)
 
     def forget(self) -> None:
         """Forget tracks and hits."""
-        self._wake.forget()
+        self._past.forget()
 
     def refresh(self) -> None:
         """Look anew at what stays as it is. To be called when shapes or the broad phase were changed."""
@@ -162,8 +162,8 @@ class Live:
         """Draw what moves, over what is there."""
         self._painter.surface, self._painter.quick = surface, True
         balls = Balls.of(self._world)
-        tracks = self._wake.tracks() if Layer.TRACKS in self._layers else ()
-        hits, latest = self._wake.hits, self._wake.latest
+        tracks = self._past.tracks() if Layer.TRACKS in self._layers else ()
+        hits, latest = self._past.hits, self._past.latest
         if self._frames % LOOK == 0:
             self._measures = slowly(self._measures, Measures.of(hits, balls.velocities))
         self._frames += 1
@@ -172,7 +172,7 @@ class Live:
             balls,
             tuple(drawn(shape, material) for shape, material in self._moving),
             tracks,
-            max(0.0, self._wake.since),
+            max(0.0, self._past.since),
             hits,
             latest,
         )
@@ -182,7 +182,7 @@ class Live:
 
     def _inks(self, balls: Balls) -> dict[int, str]:
         """The inks of balls that have one of their own."""
-        followed = [ball for ball in self._wake.followed or balls.ids.tolist() if ball]
+        followed = [ball for ball in self._past.followed or balls.ids.tolist() if ball]
         inks = {ball: BALL_INKS[ball % len(BALL_INKS)] for ball in followed}
         if self._world.statistics.sleeping:
             inks |= {ball.id or 0: ASLEEP for ball in self._world.balls if ball.asleep}

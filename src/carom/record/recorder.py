@@ -100,19 +100,19 @@ class Recorder:
         self._times.append(self._world.time)
         self._balls.append(arrays.balls.used[BALL_FIELDS].copy())
         shapes = arrays.shapes.used
-        there, places = self._places(shapes["id"], self._moving)
+        there, indices = self._indices(shapes["id"], self._moving)
         poses = self._poses[-1].copy() if self._poses else np.zeros((len(self._moving), 3))
         for column, field in enumerate(("pivot_x", "pivot_y", "orientation")):
-            poses[there, column] = shapes[field][places]
+            poses[there, column] = shapes[field][indices]
         self._poses.append(poses)
-        there, places = self._places(shapes["id"], self._shape_ids)
-        there[there] = shapes["can_collide"][places] != 0
+        there, indices = self._indices(shapes["id"], self._shape_ids)
+        there[there] = shapes["can_collide"][indices] != 0
         # Frames that agree share one array: most runs switch no shape off, and scenes may have thousands.
         same = bool(self._colliding) and np.array_equal(self._colliding[-1], there)
         self._colliding.append(self._colliding[-1] if same else there)
 
     @staticmethod
-    def _places(ids: NDArray[np.int64], wanted: NDArray[np.int64]) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
+    def _indices(ids: NDArray[np.int64], wanted: NDArray[np.int64]) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
         """Which of the `wanted` are among ascending `ids`, (wanted,), and where these stand there."""
         there = np.isin(wanted, ids)
         return there, np.searchsorted(ids, wanted[there])
@@ -132,11 +132,11 @@ class Recorder:
         velocities = np.full((frames, balls, 2), np.nan)
         asleep = np.zeros((frames, balls), np.bool_)
         for frame, rows in enumerate(self._balls):
-            places = np.searchsorted(ids, rows["id"])
-            radii[places], masses[places] = rows["radius"], rows["mass"]
-            positions[frame, places, 0], positions[frame, places, 1] = rows["x"], rows["y"]
-            velocities[frame, places, 0], velocities[frame, places, 1] = rows["vx"], rows["vy"]
-            asleep[frame, places] = rows["asleep"] != 0
+            indices = np.searchsorted(ids, rows["id"])
+            radii[indices], masses[indices] = rows["radius"], rows["mass"]
+            positions[frame, indices, 0], positions[frame, indices, 1] = rows["x"], rows["y"]
+            velocities[frame, indices, 0], velocities[frame, indices, 1] = rows["vx"], rows["vy"]
+            asleep[frame, indices] = rows["asleep"] != 0
         return {
             "ids": ids,
             "radii": radii,

@@ -170,15 +170,15 @@ class Recording(Played):
         checks.whole("frame", frame, -len(self), len(self) - 1)
         for shape, colliding in zip(shapes, self.colliding[frame].tolist(), strict=True):
             shape._row["can_collide"] = colliding
-        for place, (x, y, orientation) in zip(self._moving_places.tolist(), self.poses[frame].tolist(), strict=True):
-            put(shapes[place], x, y, orientation)
+        for index, (x, y, orientation) in zip(self._moving_indices.tolist(), self.poses[frame].tolist(), strict=True):
+            put(shapes[index], x, y, orientation)
 
     @cached_property
-    def _moving_places(self) -> NDArray[np.intp]:
+    def _moving_indices(self) -> NDArray[np.intp]:
         """Where the shapes that move stand among all."""
         order = np.argsort(self.shape_ids)
-        places: NDArray[np.intp] = order[np.searchsorted(self.shape_ids[order], self.moving)]
-        return places
+        indices: NDArray[np.intp] = order[np.searchsorted(self.shape_ids[order], self.moving)]
+        return indices
 
     @cached_property
     def ball_ids(self) -> frozenset[int]:

@@ -66,7 +66,7 @@ class Compound(Group):
     [0.0, 3.0]
     """
 
-    __slots__ = ("__weakref__", "_name", "_surface", "user")
+    __slots__ = ("__weakref__", "_surface", "user")
 
     elasticity = _surface("elasticity", non_negative)
     kick = _surface("kick", non_negative)
@@ -178,16 +178,6 @@ class Compound(Group):
     # -- who it is ---------------------------------------------------------------------------------------------------
 
     @property
-    def name(self) -> str | None:
-        """What the user calls it, or None."""
-        return self._name
-
-    @name.setter
-    @changing
-    def name(self, value: str | None) -> None:
-        self._name = text_or_none("name", value)
-
-    @property
     def id(self) -> int | None:
         """The number that its world gave its `center_point`; None outside of a world."""
         return self.center_point.id
@@ -215,12 +205,6 @@ class Compound(Group):
         x, y = pair("p", p)
         points = [shape.closest_point((x, y)) for shape in self.shapes] or [self.position]
         return min(points, key=lambda q: length(x - q[0], y - q[1]))
-
-    def distance(self, p: Pair) -> float:
-        """How far `p` is from the `closest_point`; never negative."""
-        x, y = pair("p", p)
-        near_x, near_y = self.closest_point(p)
-        return length(x - near_x, y - near_y)
 
     def detect(self, ball: Ball) -> Contact | None:
         """The contact of `ball` with the first part that it overlaps, points before all others; None where none."""

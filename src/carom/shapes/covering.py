@@ -17,7 +17,7 @@ Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
-class Reach:
+class Tolerances:
     """How near shapes or places are to each other to be in one place.
 
     That is the smaller `near` of the two and the larger `rounding` of the two, in lengths.
@@ -26,18 +26,18 @@ class Reach:
     near: Floats
     rounding: Floats
 
-    def take(self, which: Indices) -> Reach:
+    def take(self, which: Indices) -> Tolerances:
         """The same for some of them."""
-        return Reach(self.near[which], self.rounding[which])
+        return Tolerances(self.near[which], self.rounding[which])
 
-    def to(self, other: Reach) -> Floats:
+    def to(self, other: Tolerances) -> Floats:
         """How near each of these is to each of the others, in a table."""
         near = np.minimum(self.near[:, None], other.near)
         return near + np.maximum(self.rounding[:, None], other.rounding)
 
-    def most(self) -> Reach:
+    def most(self) -> Tolerances:
         """The largest of them, as one."""
-        return Reach(self.near.max(keepdims=True), self.rounding.max(keepdims=True))
+        return Tolerances(self.near.max(keepdims=True), self.rounding.max(keepdims=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class _Places:
 
     x: Floats
     y: Floats
-    reach: Reach
+    tolerances: Tolerances
     motions: Indices
     numbers: Indices
 
@@ -66,7 +66,7 @@ class _Covers:
     """Shapes of one kind that may cover places; how far from them places are, and how far boxes are at least."""
 
     rows: Rows
-    reach: Reach
+    tolerances: Tolerances
     motions: Indices
     ending: Indices
     distance: Callable[[Rows, Floats, Floats], Floats]
@@ -74,19 +74,19 @@ class _Covers:
 
     def take(self, which: Indices) -> _Covers:
         """Some of them."""
-        reach, motions, ending = self.reach.take(which), self.motions[which], self.ending[which]
-        return _Covers(self.rows[which], reach, motions, ending, self.distance, self.apart)
+        tolerances, motions, ending = self.tolerances.take(which), self.motions[which], self.ending[which]
+        return _Covers(self.rows[which], tolerances, motions, ending, self.distance, self.apart)
 
 
 def covered_places(
     rows: Rows,
     sizes: Floats,
-    reach: Reach,
+    tolerances: Tolerances,
     motions: Indices,
     ending: Indices,
     x: Floats,
     y: Floats,
-    near: Reach,
+    near: Tolerances,
     owners: Indices,
     numbers: Indices,
 ) -> NDArray[np.bool_]:
@@ -95,7 +95,7 @@ def covered_places(
     Args:
         rows: The shapes, dtype `SHAPE`.
         sizes: Their lengths.
-        reach: How near each shape has to be.
+        tolerances: How near each shape has to be.
         motions: For each shape a number, the same for those that move alike.
         ending: For each shape the numbers of the two places at which it ends, -1 for none.
         x: The x of the places.
@@ -110,7 +110,7 @@ def covered_places(
     order = np.argsort(-sizes, kind="stable")
     for kind, (distance, apart) in _DISTANCES.items():
         which = order[rows["kind"][order] == kind]
-        _mark_covered(_Covers(rows, reach, motions, ending, distance, apart).take(which), places, covered)
+        _mark_covered(_Covers(rows, tolerances, motions, ending, distance, apart).take(which), places, covered)
     return covered
 
 
@@ -140,7 +140,7 @@ def _mark_covered(covers: _Covers, places: _Places, covered: NDArray[np.bool_]) 
 def _lie_on(covers: _Covers, places: _Places, spots: Indices) -> NDArray[np.bool_]:
     """For each of some places, whether it lies on one of some shapes, by testing each against each."""
     away = covers.distance(covers.rows, places.x[spots], places.y[spots])
-    on = away <= covers.reach.to(places.reach.take(spots))
+    on = away <= covers.tolerances.to(places.tolerances.take(spots))
     on &= covers.motions[:, None] == places.motions[spots]
     here = places.numbers[spots]
     on &= (covers.ending[:, :1] != here) & (covers.ending[:, 1:] != here)
@@ -155,10 +155,14 @@ def _are_near(covers: _Covers, places: _Places, spots: Indices) -> NDArray[np.bo
     box = _Box(left + right, bottom + top, right - left, top - bottom)
     size = abs(box.x) + abs(box.y) + box.half_width + box.half_height
     slack = GUARD_ROUNDING * (size + np.abs(rows["cx"]) + np.abs(rows["cy"]) + rows["radius"] + rows["length"])
-    reach = covers.reach.to(places.reach.take(spots).most())[:, 0] + slack
-    near = covers.apart(rows, box) <= reach
-    near &= (rows["left"] - box.x <= box.half_width + reach) & (box.x - rows["right"] <= box.half_width + reach)
-    near &= (rows["bottom"] - box.y <= box.half_height + reach) & (box.y - rows["top"] <= box.half_height + reach)
+    tolerances = covers.tolerances.to(places.tolerances.take(spots).most())[:, 0] + slack
+    near = covers.apart(rows, box) <= tolerances
+    near &= (rows["left"] - box.x <= box.half_width + tolerances) & (
+        box.x - rows["right"] <= box.half_width + tolerances
+    )
+    near &= (rows["bottom"] - box.y <= box.half_height + tolerances) & (
+        box.y - rows["top"] <= box.half_height + tolerances
+    )
     near &= (motions.min() <= covers.motions) & (covers.motions <= motions.max())
     return np.asarray(near, np.bool_)
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from carom.checks import number, pair, positive
 from carom.rows.shape import Motion, ShapeRow
+from carom.shapes.named import Named
 from carom.shapes.rails import (
     target_orientation,
     target_pivot,
@@ -16,12 +17,12 @@ from carom.shapes.rails import (
     write_velocity,
 )
 from carom.shapes.shape import Shape
-from carom.spelling import Spelled, spelled
+from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import Pair, Vector
 
 
-class Group(Spelled):
+class Group(Named):
     """Kinematic shapes of one pivot, orientation and motion; what every `Compound` is.
 
     The first of them, the `center_point`, is the one that is asked how all of them move.

@@ -15,7 +15,7 @@ from carom.geometry.vector import length
 from carom.rows.shape import ARC, CIRCLE, KINEMATIC, POINT, SEGMENT, SHAPE
 from carom.rows.tables import Rows
 from carom.shapes.compound import Compound
-from carom.shapes.covering import Reach, covered_places
+from carom.shapes.covering import Floats, Indices, Tolerances, covered_places
 from carom.shapes.gate import Gate
 from carom.shapes.point import Point
 from carom.shapes.shape import Shape, ShapeOptions
@@ -94,19 +94,19 @@ def _guards(shapes: list[Shape], gap: float | None, bend: float | None) -> list[
     kinds: dict[Hashable, int] = {}
     motions = np.array([kinds.setdefault(_motion_of(shape), len(kinds)) for shape in shapes])
     sizes, magnitudes = _sizes(rows), _magnitudes(rows)
-    reach = _reach_of(rows, sizes, magnitudes, gap)
+    tolerances = _tolerances_of(rows, sizes, magnitudes, gap)
     turns = _turn_tolerance(sizes, magnitudes) if bend is None else np.full(len(rows), 0.5 * bend)
     ended = np.flatnonzero((rows["kind"] == SEGMENT) | (rows["kind"] == ARC))
     owners = np.repeat(ended, 2)
     x, y, outward = _ends(rows[ended])
-    places, first = _places(x, y, reach.take(owners), magnitudes[owners], motions[owners])
-    short = sizes <= 2.0 * (reach.near + reach.rounding)
+    places, first = _places(x, y, tolerances.take(owners), magnitudes[owners], motions[owners])
+    short = sizes <= 2.0 * (tolerances.near + tolerances.rounding)
     rough = np.flatnonzero(~_smooth_places(places, len(first), outward, turns[owners], short[owners]))
     ending = np.full((len(rows), 2), -1)
     ending[ended] = places.reshape(-1, 2)
     spots = first[rough]
-    near, there = reach.take(owners[spots]), owners[spots]
-    covered = covered_places(rows, sizes, reach, motions, ending, x[spots], y[spots], near, there, rough)
+    near, there = tolerances.take(owners[spots]), owners[spots]
+    covered = covered_places(rows, sizes, tolerances, motions, ending, x[spots], y[spots], near, there, rough)
     bare = np.sort(spots[~covered])
     return [Point((float(x[end]), float(y[end])), **_options(shapes[owners[end]])) for end in bare.tolist()]
 
@@ -114,7 +114,7 @@ def _guards(shapes: list[Shape], gap: float | None, bend: float | None) -> list[
 # -- tolerances ------------------------------------------------------------------------------------------------------
 
 
-def _sizes(rows: Rows) -> NDArray[np.float64]:
+def _sizes(rows: Rows) -> Floats:
     """The lengths of segments, arcs and circles; infinite for points, which are as near as the other shape says."""
     kind = rows["kind"]
     sweeps = (rows["end_angle"] - rows["start_angle"]) % TWO_PI
@@ -122,7 +122,7 @@ def _sizes(rows: Rows) -> NDArray[np.float64]:
     return np.where(kind == POINT, np.inf, np.minimum(sizes, np.finfo(np.float64).max))
 
 
-def _magnitudes(rows: Rows) -> NDArray[np.float64]:
+def _magnitudes(rows: Rows) -> Floats:
     """The largest number of each shape's geometry, by whose rounding its ends may be off."""
     numbers = [np.abs(rows[name]) for name in ("left", "bottom", "right", "top", "cx", "cy", "radius")]
     turned = rows["motion"] == KINEMATIC
@@ -130,14 +130,14 @@ def _magnitudes(rows: Rows) -> NDArray[np.float64]:
     return np.asarray(np.max(numbers, axis=0), np.float64)
 
 
-def _reach_of(rows: Rows, sizes: NDArray[np.float64], magnitudes: NDArray[np.float64], gap: float | None) -> Reach:
+def _tolerances_of(rows: Rows, sizes: Floats, magnitudes: Floats, gap: float | None) -> Tolerances:
     """How near each shape has to be to another to be in one place with it."""
     if gap is not None:
-        return Reach(np.full(len(rows), gap), np.zeros(len(rows)))
-    return Reach(GUARD_TOLERANCE * sizes, GUARD_ROUNDING * magnitudes)
+        return Tolerances(np.full(len(rows), gap), np.zeros(len(rows)))
+    return Tolerances(GUARD_TOLERANCE * sizes, GUARD_ROUNDING * magnitudes)
 
 
-def _turn_tolerance(sizes: NDArray[np.float64], magnitudes: NDArray[np.float64]) -> NDArray[np.float64]:
+def _turn_tolerance(sizes: Floats, magnitudes: Floats) -> Floats:
     """By how much the outward tangent of each shape may be off, so that two add up to the tolerance of a joint."""
     return 0.5 * GUARD_ANGLE_TOLERANCE + GUARD_ROUNDING * (magnitudes / sizes)
 
@@ -145,7 +145,7 @@ def _turn_tolerance(sizes: NDArray[np.float64], magnitudes: NDArray[np.float64])
 # -- ends ------------------------------------------------------------------------------------------------------------
 
 
-def _ends(rows: Rows) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _ends(rows: Rows) -> tuple[Floats, Floats, Floats]:
     """Both ends of every segment and arc: x, y, and the direction out of the shape as an angle from 0 to 2π."""
     bent = rows["kind"] == ARC
     straight = np.arctan2(rows["ty"], rows["tx"])
@@ -159,20 +159,20 @@ def _ends(rows: Rows) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray
 
 
 def _places(
-    x: NDArray[np.float64],
-    y: NDArray[np.float64],
-    reach: Reach,
-    magnitudes: NDArray[np.float64],
-    motions: NDArray[np.intp],
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    x: Floats,
+    y: Floats,
+    tolerances: Tolerances,
+    magnitudes: Floats,
+    motions: Indices,
+) -> tuple[Indices, Indices]:
     """For each end the number of the place that it is in, and for each place its first end.
 
     An end is in the first place that it is near to, else in a new one. Ends come by the size of what is near to them,
     the largest first, so that what an end looks for is never farther than what is near to the places there are. Those
     are filed in cells, a grid for each size, whose cells are 16 times as wide as what is near to their places.
     """
-    sizes = np.maximum(np.frexp(reach.near + reach.rounding)[1], np.frexp(magnitudes)[1] - 1000)
-    near, rounding, moves = reach.near.tolist(), reach.rounding.tolist(), motions.tolist()
+    sizes = np.maximum(np.frexp(tolerances.near + tolerances.rounding)[1], np.frexp(magnitudes)[1] - 1000)
+    near, rounding, moves = tolerances.near.tolist(), tolerances.rounding.tolist(), motions.tolist()
     points = list(zip(x.tolist(), y.tolist(), strict=True))
     founders: list[int] = []
     cells: dict[tuple[int, int, int, int], list[int]] = {}
@@ -209,10 +209,10 @@ def _cells_near(x: float, level: int) -> Iterable[int]:
 
 
 def _smooth_places(
-    places: NDArray[np.intp],
+    places: Indices,
     count: int,
-    outward: NDArray[np.float64],
-    turns: NDArray[np.float64],
+    outward: Floats,
+    turns: Floats,
     short: NDArray[np.bool_],
 ) -> NDArray[np.bool_]:
     """For each of `count` places, whether two of the ends there continue each other.

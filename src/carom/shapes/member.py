@@ -7,37 +7,35 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self
 
 import numpy as np
 
-from carom.checks import flag, layers, non_negative, pair, text_or_none
-from carom.geometry.vector import length
+from carom.checks import flag, layers, non_negative
 from carom.rows.shape import KIND_NAMES, Motion
 from carom.shapes.aabb import Aabb
 from carom.shapes.copies import add_attributes, added_attributes
+from carom.shapes.named import Named
 from carom.shapes.table import Home, R, RowTable
-from carom.spelling import Spelled
 from carom.turns import changing
-from carom.typing import Pair, Vector
+from carom.typing import Vector
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
     from carom.shapes.detection import Contact
 
 
-class Member(Spelled, ABC, Generic[R]):
+class Member(Named, ABC, Generic[R]):
     """A shape or ball: a view of the row `_row`, which is the only place where its state is.
 
     A world takes a member in with `_enter`, gives it back with `_leave`, and makes the object for a row that it
     already has with `_of_row`. Every setter checks, then writes, then calls `_change`, which tells the world.
     """
 
-    __slots__ = ("__weakref__", "_id", "_index", "_name", "_table", "_world", "user")
+    __slots__ = ("__weakref__", "_id", "_index", "_table", "_world", "user")
 
     _KIND: ClassVar[int]
-    _OWN: ClassVar[tuple[str, ...]] = __slots__
+    _OWN: ClassVar[tuple[str, ...]] = (*Named.__slots__, *__slots__)
     _DTYPE: ClassVar[np.dtype[Any]]
 
     _id: int | None
     _index: int
-    _name: str | None
     _table: RowTable[R]
     _world: Home | None
     user: Any
@@ -150,16 +148,6 @@ class Member(Spelled, ABC, Generic[R]):
         return self._world
 
     @property
-    def name(self) -> str | None:
-        """What the user calls it, or None."""
-        return self._name
-
-    @name.setter
-    @changing
-    def name(self, value: str | None) -> None:
-        self._name = text_or_none("name", value)
-
-    @property
     def elasticity(self) -> float:
         """Its factor in the ratio of speeds after and before an impact; 0 or more, and above 1 adds speed."""
         return float(self._row["elasticity"])
@@ -228,16 +216,6 @@ class Member(Spelled, ABC, Generic[R]):
     @abstractmethod
     def position(self) -> Vector:
         """Where it is: a point's own place, a segment's midpoint, the centre of a circle, an arc or a ball."""
-
-    @abstractmethod
-    def closest_point(self, p: Pair) -> Vector:
-        """The point of it that is nearest to `p`; of its perimeter, where it is round."""
-
-    def distance(self, p: Pair) -> float:
-        """How far `p` is from its `closest_point`; never negative."""
-        x, y = pair("p", p)
-        near_x, near_y = self.closest_point((x, y))
-        return length(x - near_x, y - near_y)
 
     @abstractmethod
     def detect(self, ball: Ball) -> Contact | None:

@@ -47,7 +47,7 @@ class RowTable(Generic[R]):
         return cls(np.zeros(1, dtype))
 
     def index(self, owner: Owner) -> int:
-        """The place of `owner`'s row in `rows`."""
+        """The index of `owner`'s row in `rows`."""
         return owner._index
 
     def row(self, owner: Owner) -> R:

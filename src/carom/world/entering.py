@@ -25,19 +25,19 @@ def entering(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
     """The members of each of `shapes`, which may all come in; raises `InvalidArgument` for the first that may not."""
     found = []
     given: set[int] = set()
-    for place, shape in enumerate(shapes):
+    for index, shape in enumerate(shapes):
         if not isinstance(shape, (Shape, Ball, Compound)):
             listed = isinstance(shape, (list, tuple))
             must = "must be a shape, a compound or a ball" + (" (a list of them is added by add(*shapes))" * listed)
-            raise _refuse(shapes, place, must)
+            raise _refuse(shapes, index, must)
         members = members_of(shape)
         if any(member.world is not None for member in members):
-            raise _refuse(shapes, place, "must not be in a world already (copy.copy(shape) makes one that is in none)")
+            raise _refuse(shapes, index, "must not be in a world already (copy.copy(shape) makes one that is in none)")
         compound = shape.compound if isinstance(shape, Shape) else None
         if compound is not None and compound.world is not world:
-            raise _refuse(shapes, place, "must not be part of a compound that is not in the world: add the compound")
+            raise _refuse(shapes, index, "must not be part of a compound that is not in the world: add the compound")
         if id(shape) in given:
-            raise _refuse(shapes, place, "must not be given twice")
+            raise _refuse(shapes, index, "must not be given twice")
         given.add(id(shape))
         found.append(members)
     return found
@@ -49,20 +49,20 @@ def leaving(world: Members, shapes: Sequence[Any]) -> list[list[Shape | Ball]]:
     What hits that are at hand may name, and has left already, is passed over: it is where it is wanted.
     """
     staying = []
-    for place, shape in enumerate(shapes):
+    for index, shape in enumerate(shapes):
         gone = getattr(shape, "world", world) is None and world._departed.has_just_left(members_of(shape)[0])
         if not gone and getattr(shape, "world", None) is not world:
             listed = isinstance(shape, (list, tuple))
             raise _refuse(
-                shapes, place, "must be in this world" + (" (a list is taken out by remove(*shapes))" * listed)
+                shapes, index, "must be in this world" + (" (a list is taken out by remove(*shapes))" * listed)
             )
         if isinstance(shape, Shape) and shape.compound is not None:
-            raise _refuse(shapes, place, "must not be part of a compound: remove the compound")
+            raise _refuse(shapes, index, "must not be part of a compound: remove the compound")
         if not gone:
             staying.append(shape)
     return [members_of(shape) for shape in staying]
 
 
-def _refuse(shapes: Sequence[Any], place: int, must: str) -> InvalidArgument:
-    """The error to raise for one of several arguments, which it names by its place where it is not the only one."""
-    return checks.refuse("shape" if len(shapes) == 1 else f"shapes[{place}]", must, shapes[place])
+def _refuse(shapes: Sequence[Any], index: int, must: str) -> InvalidArgument:
+    """The error to raise for one of several arguments, which it names by its index where it is not the only one."""
+    return checks.refuse("shape" if len(shapes) == 1 else f"shapes[{index}]", must, shapes[index])

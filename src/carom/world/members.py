@@ -148,11 +148,11 @@ class Members:
     def _enter(self, member: Shape | Ball) -> None:
         """Give a member a row at the end of its table, where there is room for it."""
         table = self._arrays.table_of(member)
-        place = table.count
-        table.rows[place]["id"] = self._next_ids(1)[0]
+        index = table.count
+        table.rows[index]["id"] = self._next_ids(1)[0]
         table.count += 1
-        member._enter(self, table, place)
-        self._objects[int(table.rows[place]["id"])] = member
+        member._enter(self, table, index)
+        self._objects[int(table.rows[index]["id"])] = member
 
     def _next_ids(self, count: int) -> NDArray[np.int64]:
         """Ids that were never used."""
@@ -258,9 +258,9 @@ class Members:
         """The object of a ball's row, made now if it was not asked for before."""
         ball = self._objects.get(ball_id)
         if ball is None:
-            place = self._arrays.balls.find(ball_id)
+            index = self._arrays.balls.find(ball_id)
             # Of two threads that ask for it at once, both are given the same.
-            ball = self._objects.setdefault(ball_id, Ball._of_row(self, self._arrays.balls, ball_id, place))
+            ball = self._objects.setdefault(ball_id, Ball._of_row(self, self._arrays.balls, ball_id, index))
         assert isinstance(ball, Ball)
         return ball
 

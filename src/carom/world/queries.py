@@ -341,15 +341,15 @@ class Queries:
         >>> line.shape is object_ball, line.ghost, line.direction, line.other_direction
         (True, (8.0, 0.0), None, (1.0, 0.0))
         """
-        places = self._places(ball)
+        indices = self._indices(ball)
         ways = _pairs("direction", direction)
-        _check_lengths({"ball": places, "direction": ways})
+        _check_lengths({"ball": indices, "direction": ways})
         if not np.any(ways, axis=-1).all():
             raise checks.refuse("direction", "must not be (0, 0)", direction)
-        single = not (isinstance(places, np.ndarray) or isinstance(ways, np.ndarray))
-        rows = np.broadcast_arrays(np.atleast_1d(places)[:, None], np.atleast_2d(ways))
-        places, ways = rows[0][:, 0].copy(), rows[1].copy()
-        queries = self._shots(places, ways)
+        single = not (isinstance(indices, np.ndarray) or isinstance(ways, np.ndarray))
+        rows = np.broadcast_arrays(np.atleast_1d(indices)[:, None], np.atleast_2d(ways))
+        indices, ways = rows[0][:, 0].copy(), rows[1].copy()
+        queries = self._shots(indices, ways)
         if not np.isfinite(queries["to_x"] + queries["to_y"]).all():
             raise checks.refuse("ball", "must be at a finite place", ball)
         casts, found = self._casts(queries)
@@ -357,11 +357,11 @@ class Queries:
         arrays = self._world._arrays
         total = bool(arrays.states[0]["total_restitution"])
         door.load(aim_many)(
-            queries, casts, found, places, ways, arrays.shapes.used, arrays.balls.used, total, aims.view(np.ndarray)
+            queries, casts, found, indices, ways, arrays.shapes.used, arrays.balls.used, total, aims.view(np.ndarray)
         )
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
 
-    def _places(self, ball: Any) -> int | NDArray[np.int64]:
+    def _indices(self, ball: Any) -> int | NDArray[np.int64]:
         """The row of a ball, or those of several."""
         table = self._world._arrays.balls
         if isinstance(ball, Ball):
@@ -374,15 +374,15 @@ class Queries:
                 raise checks.refuse("ball", "must hold ids of balls in this world", ball)
             return np.searchsorted(ids, ball)
         if isinstance(ball, Sequence) and all(isinstance(one, Ball) for one in ball):
-            return np.array([self._places(one) for one in ball], np.int64)
+            return np.array([self._indices(one) for one in ball], np.int64)
         raise checks.refuse("ball", "must be a Ball, a list of balls or an array of ids", ball)
 
-    def _shots(self, places: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
+    def _shots(self, indices: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
         """The casts of balls in directions, so long that they leave everything behind."""
         arrays = self._world._arrays
         width = door.load(width_of_all)(arrays.shapes.used, arrays.balls.used)
-        balls = arrays.balls.used[places]
-        queries = np.zeros(len(places), QUERY)
+        balls = arrays.balls.used[indices]
+        queries = np.zeros(len(indices), QUERY)
         queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
         # A ball that collides with nothing, or is a sensor, is stopped by nothing.
         solid = (balls["can_collide"] != 0) & (balls["sensor"] == 0)

@@ -23,11 +23,11 @@ def relations_in_order(arrays: Arrays) -> list[Relation]:
     if arrays.states[0]["relations"] > 0:
         balls = arrays.balls.used
         for i in np.flatnonzero(balls["relation"] != NO_RELATION):
-            place = int(balls[i]["relation"])
-            while place != NO_RELATION:
-                relation: RelationRow = arrays.relations[place]
+            index = int(balls[i]["relation"])
+            while index != NO_RELATION:
+                relation: RelationRow = arrays.relations[index]
                 found.append((int(relation["kind"]), int(i), int(relation["other"])))
-                place = int(relation["next"])
+                index = int(relation["next"])
     return found
 
 

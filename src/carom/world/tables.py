@@ -40,20 +40,20 @@ class WorldTable(RowTable[R]):
         return self.rows[: self.count]
 
     def index(self, owner: Owner) -> int:
-        """The place of `owner`'s row; remembered, and looked up again where rows have moved."""
-        place = owner._index
-        if not (0 <= place < self.count and self.rows[place]["id"] == owner._id):
-            place = self.find(owner._id)
-            owner._index = place
-        return place
+        """The index of `owner`'s row; remembered, and looked up again where rows have moved."""
+        index = owner._index
+        if not (0 <= index < self.count and self.rows[index]["id"] == owner._id):
+            index = self.find(owner._id)
+            owner._index = index
+        return index
 
     def find(self, member_id: int | None) -> int:
-        """The place of the row with an id; raises `InvalidArgument` where there is none."""
+        """The index of the row with an id; raises `InvalidArgument` where there is none."""
         ids = self.used["id"]
-        place = int(np.searchsorted(ids, member_id or 0))
-        if place == self.count or ids[place] != member_id:
+        index = int(np.searchsorted(ids, member_id or 0))
+        if index == self.count or ids[index] != member_id:
             raise InvalidArgument(f"id must be that of a shape or ball in the world, not {member_id!r}")
-        return place
+        return index
 
     def reserve(self, capacity: int, doubling: bool = True) -> None:
         """Make room for `capacity` rows in all, twice as many as there were unless `doubling` is False."""

@@ -8,7 +8,7 @@ import pytest
 
 from carom import Arc, Circle, Point, Segment, Shape
 from carom.constants import COVER_TESTS
-from carom.shapes.covering import Reach, covered_places
+from carom.shapes.covering import Tolerances, covered_places
 
 Place = tuple[float, float]
 
@@ -41,11 +41,11 @@ def test_a_place_is_covered_by_what_is_near_moves_alike_and_does_not_end_there(s
     owners = np.array([random.randrange(count) for _ in places])
     ending = np.array([[random.randrange(count), -1] for _ in shapes])
     numbers = np.arange(count)
-    close = Reach(np.full(count, 0.2), np.full(count, 1e-9))
+    close = Tolerances(np.full(count, 0.2), np.full(count, 1e-9))
     rows = np.array([shape._row for shape in shapes])
     x, y = np.array(places).T
     sizes = np.array([getattr(shape, "length", 1.0) for shape in shapes])
-    found = covered_places(rows, sizes, Reach(near, rounding), motions, ending, x, y, close, owners, numbers)
+    found = covered_places(rows, sizes, Tolerances(near, rounding), motions, ending, x, y, close, owners, numbers)
     expected = []
     for k, place in enumerate(places):
         gaps = [

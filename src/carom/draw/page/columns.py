@@ -62,9 +62,9 @@ class Units:
 def ball_columns(recording: Recording, units: Units) -> Plain:
     """Where each ball is at each frame, and its state: a row for each ball."""
     xs, ys = recording.positions[:, :, 0].T, recording.positions[:, :, 1].T
-    reach = FARTHEST * units.side
+    farthest = FARTHEST * units.side
     with np.errstate(invalid="ignore"):
-        there = (np.abs(xs - units.left) < reach) & (np.abs(ys - units.bottom) < reach)
+        there = (np.abs(xs - units.left) < farthest) & (np.abs(ys - units.bottom) < farthest)
     states = np.where(there, np.where(recording.asleep.T, ASLEEP, AWAKE), ABSENT)
     return {
         "x": units.xs(filled(xs, there, units.left), 2),

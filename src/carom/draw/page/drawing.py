@@ -104,8 +104,8 @@ def draw_cast(painter: Painter, frame: Frame, cast: Cast, weight: float) -> None
     """
     shapes = cast.drawn(colliding=True)
     painter.layer(f"{Layer.CELLS} -1 on")
-    reach = float(cast.recording.radii.max(initial=0.0))
-    draw_cells(painter, cells_of(cast.recording.scene, reach), frame.stage)
+    largest = float(cast.recording.radii.max(initial=0.0))
+    draw_cells(painter, cells_of(cast.recording.scene, largest), frame.stage)
     painter.layer(f"{Layer.BOXES} -1 on")
     draw_boxes(painter, [drawn for drawn in shapes if cast.movers[drawn.id] < 0])
     for drawn in shapes:

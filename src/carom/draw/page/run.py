@@ -130,9 +130,9 @@ def balls_on_stage(recording: Recording) -> Balls:
 def stage_box(cast: Cast, balls: Balls) -> Aabb:
     """The part of the world to show: the shapes, and the balls that begin no farther from them than they span."""
     box = box_around([(drawn.shape, drawn.look) for drawn in cast.drawn(colliding=True)], balls)
-    reach = widened(box, longer_side(box))
+    wide = widened(box, longer_side(box))
     x, y, radii = *balls.centers.T, balls.radii
-    near = (reach.left < x) & (x < reach.right) & (reach.bottom < y) & (y < reach.top)
+    near = (wide.left < x) & (x < wide.right) & (wide.bottom < y) & (y < wide.top)
     return Aabb(
         float((x - radii).min(where=near, initial=box.left)),
         float((y - radii).min(where=near, initial=box.bottom)),

@@ -56,13 +56,13 @@ def partition_of(world: World) -> Partition:
     return partition(scene, float(world._arrays.balls.used["radius"].max(initial=0.0)))
 
 
-def cells_of(scene: Scene, reach: float) -> tuple[Cell, ...]:
-    """The cells that hold shapes, for balls of radius up to `reach`; none where the broad phase is brute force."""
-    return partition(scene, reach).cells
+def cells_of(scene: Scene, radius: float) -> tuple[Cell, ...]:
+    """The cells that hold shapes, for balls of radius up to `radius`; none where the broad phase is brute force."""
+    return partition(scene, radius).cells
 
 
-def partition(scene: Scene, reach: float) -> Partition:
-    """How the broad phase of a scene's world divides the room, for balls of radius up to `reach`."""
+def partition(scene: Scene, radius: float) -> Partition:
+    """How the broad phase of a scene's world divides the room, for balls of radius up to `radius`."""
     arrays = scene.model_copy(update={"balls": ()}).build()._arrays
     arrays.prepare()
     state = arrays.states[0]
@@ -73,7 +73,7 @@ def partition(scene: Scene, reach: float) -> Partition:
         arrays.order,
         arrays.index,
         FIXED,
-        reach,
+        radius,
         arrays.cells,
         arrays.members,
     ):

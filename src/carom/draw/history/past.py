@@ -21,7 +21,7 @@ MOST_BOUNCES = 200
 SPACING = 1 / 24
 
 
-class Wake:
+class Past:
     """Remembers the last `span` seconds; `note` is to be called after each step.
 
     The first `MOST_FOLLOWED` of the balls that are there now are followed, whenever they came.
