@@ -1,98 +1,17 @@
-"""Films: each frame is the picture of its moment, whichever came before; files play as long as the run took."""
+"""Films as files: they play as long as the run took, and an encoder that fails says why."""
 
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
 
 import carom
 from carom import draw
-from carom.draw.film.film import FILM_HITS, SPAN
-from carom.draw.film.footage import Footage
 from carom.draw.film.movie import EncodingError, encoder, frames_of, reason, write_film
-from carom.draw.parts.looks import OFF
-from tests.worlds import crowded, recorded
 
 pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')
 pytest.importorskip("imageio_ffmpeg", reason='no imageio-ffmpeg: pip install "carom[draw]"')
-
-
-@pytest.fixture(scope="module")
-def recording() -> carom.Recording:
-    """A second of a crowd, in which a ball leaves and a shape is switched off."""
-    return recorded(crowded(20), 60, change=30, name="crowd")
-
-
-def test_a_frame_is_the_same_whatever_came_before(recording: carom.Recording) -> None:
-    film = draw.Film(recording, layers=list(draw.Layer), size=(700, 560))
-    first = film.rgb(45)
-    for frame in (0, 60, 10):
-        film.frame(frame)
-    assert film.rgb(45) == first
-    assert film.rgb(44) != first
-    assert len(first) == 3 * 700 * 560
-    assert film.pixels == (700, 560)
-
-
-@pytest.mark.parametrize("frame", [61, -62, 1.5, "1"])
-def test_a_frame_that_is_not_there_is_refused(recording: carom.Recording, frame: Any) -> None:
-    for show in (draw.Film(recording, size=97).frame, lambda frame: draw.picture_at(recording, frame)):
-        with pytest.raises(carom.InvalidArgument, match="frame"):
-            show(frame)
-
-
-def test_a_film_shows_what_a_picture_shows(recording: carom.Recording) -> None:
-    layers = [draw.Layer.SHAPES, draw.Layer.BALLS]
-    film = draw.Film(recording, layers=layers, size=320)
-    picture = draw.picture_at(recording, 60, layers=layers, size=320)
-    painter = draw.RasterPainter(picture.frame)
-    picture.draw(painter)
-    made, kept = (np.frombuffer(data, np.uint8).astype(float) for data in (film.rgb(60), painter.rgb()))
-    assert np.abs(made - kept).mean() < 0.5
-
-
-def test_what_changes_is_drawn_as_it_is(recording: carom.Recording) -> None:
-    footage = Footage(recording)
-    still = {drawn.id for drawn in footage.still}
-    before, looks_before = footage.moment(20, SPAN), {drawn.id: drawn.look for drawn in footage.moment(20, SPAN).moving}
-    after, looks_after = footage.moment(50, SPAN), {drawn.id: drawn.look for drawn in footage.moment(50, SPAN).moving}
-    first = int(recording.shape_ids[0])
-    assert first not in still
-    assert looks_before[first] is not OFF
-    assert looks_after[first] is OFF
-    assert set(recording.moving.tolist()) < set(looks_after)
-    assert len(before.balls.ids) == 20
-    assert len(after.balls.ids) == 19
-    assert footage.facts(20) == (
-        ("time", "0.33\N{NO-BREAK SPACE}s"),
-        ("balls", "20"),
-        ("hits", footage.facts(20)[2][1]),
-    )
-
-
-def test_tracks_and_hits_are_those_of_the_last_seconds(recording: carom.Recording) -> None:
-    moment = Footage(recording).moment(60, 0.25, 2)
-    assert moment.since == pytest.approx(0.75)
-    assert len(moment.hits) == 2
-    assert moment.hits["time"].min() >= 0.75
-    assert (np.diff(moment.hits["impulse"]) <= 0.0).all()
-    ball = int(moment.balls.ids[3])
-    (track,) = [track for track in moment.tracks if track.ball == ball]
-    assert track.points[-1].tolist() == recording.positions[60, recording.ids == ball][0].tolist()
-    assert FILM_HITS > 2
-
-
-def test_without_shapes_all_places_of_the_balls_are_shown() -> None:
-    world = carom.World()
-    world.add(carom.Ball((0, 0), 1, velocity=(30, 0)))
-    picture = draw.picture_at(carom.Recording.of(world, 0.5))
-    assert picture.frame.stage.left < -1.0
-    assert picture.frame.stage.right > 16.0
-    nothing = draw.picture_at(carom.Recording.of(carom.World(), 0.0))
-    assert nothing.frame.shows(0.0, 0.0)
 
 
 def seconds_in(path: Path) -> float:
@@ -179,12 +98,3 @@ def test_what_interrupts_the_frames_ends_the_encoder_too(tmp_path: Path, recordi
 )
 def test_the_reason_is_picked_out_of_what_the_encoder_says(lines: list[str], told: str) -> None:
     assert reason(lines) == told
-
-
-def test_drawing_a_recording_changes_nothing_in_it(recording: carom.Recording) -> None:
-    def state() -> list[Any]:
-        return [recording.positions.tobytes(), recording.poses.tobytes(), recording.hits.tobytes()]
-
-    before = state()
-    draw.Film(recording, size=97).frame(30)
-    assert state() == before

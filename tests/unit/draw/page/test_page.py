@@ -8,14 +8,8 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 
-from carom.draw.page.columns import MOST_HITS, kept_hits
 from carom.draw.page.page import replay_page
-from carom.draw.page.run import MOST_SHARES, page_run, shares
-from carom.draw.parts.layers import Layer
-from carom.draw.theme import ThemeName
-from carom.rows.hit import HIT
-from carom.world.hits import HitKind
-from tests.pages.runs import NASTY, bare_runs, changing_run, furnished_run, nasty_run
+from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run
 
 
 class Outline(HTMLParser):
@@ -80,56 +74,3 @@ def test_the_policy_allows_the_pages_own_script_alone() -> None:
 
 def test_the_page_is_the_same_every_time() -> None:
     assert replay_page(furnished_run()) == replay_page(furnished_run())
-
-
-def test_themes_and_layers_are_those_asked_for() -> None:
-    data = page_run(furnished_run(), ThemeName.DARK, {Layer.BOXES})
-    assert data["theme"] == "dark"
-    assert [layer["name"] for layer in data["layers"] if layer["on"]] == ["boxes"]
-    assert {layer["name"] for layer in data["layers"]} == set(Layer)
-
-
-def test_no_ink_is_missing_from_a_theme() -> None:
-    data = page_run(furnished_run(), ThemeName.AUTO, ())
-    inks = {style.get(part) for style in data["styles"] for part in ("stroke", "fill", "ink")} - {None}
-    for theme in data["themes"].values():
-        assert inks | set(data["ball_inks"]) <= set(theme)
-
-
-def test_what_is_switched_has_two_looks() -> None:
-    data = page_run(changing_run(), ThemeName.AUTO, ())
-    assert [shape["switched"] for shape in data["shapes"]] == [0]
-    assert data["switches"]["rows"] == 1
-    assert data["switches"]["length"] == 31
-
-
-def hits_of(count: int) -> np.ndarray:
-    """So many bounces, each stronger than the one before, and an entry into a sensor first of all."""
-    hits = np.zeros(count + 1, HIT)
-    hits["time"] = hits["impulse"] = np.arange(count + 1)
-    hits["kind"][1:] = HitKind.BOUNCE
-    hits["kind"][0] = HitKind.ENTER
-    return hits
-
-
-def test_of_too_many_hits_the_strongest_are_kept_in_order_of_time_and_what_sensors_saw() -> None:
-    hits = hits_of(MOST_HITS + 10)
-    kept = kept_hits(hits)
-    assert len(kept) == MOST_HITS
-    assert kept["kind"][0] == HitKind.ENTER
-    assert np.array_equal(kept["time"][1:], np.arange(12, MOST_HITS + 11))
-    assert len(kept_hits(hits[:MOST_HITS])) == MOST_HITS
-
-
-def test_the_counts_are_of_names_and_end_with_all_others() -> None:
-    counts = dict(shares(furnished_run()))
-    hits = furnished_run().hits
-    assert sum(counts.values()) == len(hits)
-    assert counts["wall"] == sum(furnished_run().label_of(shape) == "wall" for shape in hits["shape"].tolist())
-
-
-def test_a_long_list_of_counts_is_cut_short(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.draw.page.run.MOST_SHARES", 1)
-    first, rest = shares(furnished_run())
-    assert rest == ("", len(furnished_run().hits) - first[1])
-    assert MOST_SHARES > 1

@@ -1,7 +1,5 @@
 """Columns of numbers as text: what a page reads out of them is what was put in."""
 
-import zlib
-from base64 import b64decode
 from typing import Any
 
 import numpy as np
@@ -11,23 +9,9 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
 from carom.draw.page.packing import measured, packed, sizes
+from tests.unit.draw.page.unpacking import unpacked
 
 WHOLE = st.integers(-(2**40), 2**40)
-
-
-def unpacked(column: dict[str, Any]) -> np.ndarray[Any, Any]:
-    """The numbers of a packed column, (rows, length), read one by one as the page reads them."""
-    numbers, number, weight = [], 0, 1
-    for byte in zlib.decompress(b64decode(column["data"])):
-        number += (byte & 127) * weight
-        weight *= 128
-        if byte < 128:
-            numbers.append(-(number + 1) // 2 if number % 2 else number // 2)
-            number, weight = 0, 1
-    table = np.array(numbers, np.int64).reshape(column["rows"], column["length"])
-    for _ in range(column["order"]):
-        table = np.cumsum(table, axis=1)
-    return table
 
 
 @given(arrays(np.int64, array_shapes(min_dims=2, max_dims=2, max_side=6), elements=WHOLE), st.integers(0, 3))

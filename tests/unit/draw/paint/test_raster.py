@@ -5,15 +5,6 @@ import pytest
 
 import carom
 from carom import draw
-from carom.draw.paint.patches import (
-    Extent,
-    from_arc,
-    from_circle,
-    from_segment,
-    line_patches,
-    patches,
-    polyline_patches,
-)
 from carom.draw.parts.frame import Frame
 from carom.draw.theme import LIGHT
 from carom.shapes.aabb import Aabb
@@ -197,23 +188,6 @@ def test_what_is_kept_does_not_grow_without_end(monkeypatch: pytest.MonkeyPatch)
     for number in range(40):
         made.circle((5.0, 5.0), 0.1 + 0.02 * number, BLACK)
     assert len(made._kept) <= 5
-
-
-def test_distances_are_those_of_the_shapes() -> None:
-    x, y = np.array([0.0, 5.0, 10.0]), np.array([3.0, 4.0, 0.0])
-    assert from_segment((0.0, 0.0), (4.0, 0.0))(x, y) == pytest.approx([3.0, np.hypot(1.0, 4.0), 6.0])
-    assert from_circle((0.0, 0.0), 2.0)(x, y) == pytest.approx([1.0, np.hypot(5.0, 4.0) - 2.0, 8.0])
-    # Pixels have y down: a quarter from angle 0 to π/2 lies to the right and above, at smaller y.
-    quarter = from_arc((0.0, 0.0), 2.0, 0.0, np.pi / 2)
-    assert quarter(np.array([3.0, 0.0]), np.array([-4.0, 5.0])) == pytest.approx([3.0, np.hypot(2.0, 5.0)])
-
-
-def test_patches_leave_out_what_is_empty() -> None:
-    line = line_patches(from_segment((1, 1), (700, 700)), Extent(0, 0, 701, 701), 2.0, (0, 0, 0), (800, 800))
-    assert 10 < len(line) < 40
-    assert patches(from_circle((50, 50), 10), Extent(90, 90, 99, 99), (0, 0, 0), (800, 800)) == []
-    assert polyline_patches([(-9, -9), (-5, -5)], 1.0, (0, 0, 0), (100, 100)) == []
-    assert polyline_patches([(-60, 60), (10, 130)], 1.0, (0, 0, 0), (100, 100)) == []
 
 
 def test_a_png_is_the_picture() -> None:
