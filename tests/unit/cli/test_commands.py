@@ -74,21 +74,6 @@ def test_a_run_writes_what_is_asked_for_and_nothing_else(here: Path, capsys: pyt
     assert [(float(line[6]), float(line[7])) for line in lines] == [tuple(point) for point in hits["point"].tolist()]
 
 
-def test_a_table_of_hits_holds_what_the_csv_file_does(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    parquet = pytest.importorskip("pyarrow.parquet", reason='no pyarrow: pip install "carom[study]"')
-    outs = ("--out", "run.csv", "--out", "run.parquet")
-    status, out, _ = carom_says(capsys, "run", "good.toml", "--seconds", "1", *outs)
-    assert status == 0
-    assert "wrote run.parquet" in out
-    table = parquet.read_table(here / "run.parquet")
-    assert tuple(table.column_names) == COLUMNS
-    with (here / "run.csv").open(newline="") as file:
-        _, *lines = csv.reader(file)
-    assert len(lines) > 0
-    rows = table.to_pylist()
-    assert [["" if value is None else str(value) for value in row.values()] for row in rows] == lines
-
-
 def test_a_table_of_hits_needs_pyarrow(
     here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import carom
-from carom.record.members import BALLS, hits_by_label, label_of, name_of
 from tests.worlds import crowded, named, quiet
 
 DT = 1 / 60
@@ -60,56 +59,6 @@ def test_the_hits_are_those_of_the_run_in_order_of_time() -> None:
     assert world.digest() == twin.digest()
 
 
-def test_frames_may_be_fewer_than_steps_and_the_end_is_one() -> None:
-    every, some = crowd(0.25), crowd(0.25, every=4)
-    assert len(some) == 5
-    assert np.array_equal(some.positions, every.positions[[0, 4, 8, 12, 15]])
-    assert some.hits.tobytes() == every.hits.tobytes()
-
-
-def test_balls_come_and_go() -> None:
-    world = quiet()
-    first, second = world.balls.id.tolist()
-    recorder = carom.Recorder(world)
-    recorder.note(world.step(DT))
-    world.remove(world.object(first))
-    recorder.note(world.step(DT))
-    late = world.add(carom.Ball((3, 3), 0.5, name="late"))
-    recorder.note(world.step(DT))
-    recording = recorder.finish()
-    assert recording.ids.tolist() == [first, second, late.id]
-    there = ~np.isnan(recording.positions[:, :, 0])
-    assert there.tolist() == [[True, True, False]] * 2 + [[False, True, False], [False, True, True]]
-    assert recording.label_of(late.id) == "late"
-    assert len(recording.kinetic_energy()) == 4
-    assert np.isfinite(recording.energy()).all()
-
-
-def test_a_shape_that_is_switched_off_or_gone_does_not_collide() -> None:
-    world = quiet()
-    wall, eye = world.shapes
-    recorder = carom.Recorder(world)
-    wall.can_collide = False
-    recorder.note(world.step(DT))
-    world.remove(eye)
-    recorder.note(world.step(DT))
-    world.remove(wall)
-    recorder.note()
-    recording = recorder.finish()
-    assert recording.colliding.tolist() == [[True, True], [False, True], [False, False], [False, False]]
-    assert [shape.can_collide for shape in recording.shapes_at(1)] == [False, True]
-
-
-def test_a_kinematic_shape_that_is_gone_stays_where_it_was_last() -> None:
-    world = carom.World()
-    lift = world.add(carom.Segment((0, 0), (1, 0), motion="kinematic", velocity=(1, 0)))
-    recorder = carom.Recorder(world)
-    recorder.note(world.step(1.0))
-    world.remove(lift)
-    recorder.note(world.step(1.0))
-    assert recorder.finish().poses[:, 0, 0].tolist() == [0.5, 1.5, 1.5]
-
-
 def test_a_run_without_frames_or_balls_is_a_recording_too() -> None:
     recording = carom.Recording.of(carom.World(), 0)
     assert (len(recording), recording.duration, recording.energy().tolist()) == (1, 0.0, [0.0])
@@ -133,47 +82,6 @@ def test_a_time_has_the_frame_before_it() -> None:
     assert recording.duration == pytest.approx(0.1)
 
 
-def test_everything_has_something_to_call_it() -> None:
-    world = crowded()
-    recording = carom.Recording.of(world, 0.0)
-    mill = named(world, "mill")
-    assert recording.label_of(mill.shapes[0].id) == "mill"
-    assert recording.label_of(world.shapes[0].id) == "segment at (6, 0)"
-    assert recording.label_of(named(world, "ball 1").id) == "ball 1"
-    nameless = next(ball.id for ball in world.balls if ball.name is None)
-    assert recording.label_of(nameless) == f"ball {nameless}"
-
-
-def test_hits_are_counted_by_what_was_hit_whenever_it_came() -> None:
-    world = carom.World(gravity=(0, -10), detection="continuous")
-    world.add(carom.Segment((-5, 0), (5, 0), name="floor"))
-    recorder = carom.Recorder(world, every=100)
-    late = world.add(carom.Segment((-5, 4), (-2, 4)))
-    brief = [world.add(carom.Ball((x, 1), 0.5, velocity=(-x, 0))) for x in (1.0, 2.5)]
-    world.add(carom.Ball((-4, 5), 0.5))
-    first = brief[0].id
-    for step in range(60):
-        recorder.note(world.step(1 / 60))
-        if step == 50:
-            for ball in brief:
-                world.remove(ball)
-    run = recorder.finish()
-    assert len(run.ids) == 1
-    assert run.label_of(first) == f"ball {first}"
-    assert run.label_of(late.id) == f"shape {late.id}"
-    counts = dict(hits_by_label(run, run.hits))
-    assert set(counts) == {"floor", f"shape {late.id}", BALLS}
-    assert sum(counts.values()) == len(run.hits)
-    assert list(counts.values()) == sorted(counts.values(), reverse=True)
-
-
-def test_a_part_has_the_name_of_its_compound_unless_it_has_its_own() -> None:
-    own, unnamed = carom.Point((0, 0), name="tip"), carom.Point((3, 1))
-    carom.Compound([own, unnamed], pivot=(0, 0), name="flipper")
-    assert (name_of(own), name_of(unnamed)) == ("tip", "flipper")
-    assert label_of(carom.Segment((0, 0), (3, 1))) == "segment at (1.5, 0.5)"
-
-
 def test_nothing_in_a_recording_can_be_changed() -> None:
     recording = crowd(0.1)
     with pytest.raises(ValueError, match="read-only"):
@@ -184,13 +92,6 @@ def test_nothing_in_a_recording_can_be_changed() -> None:
         recording.names[1] = "x"
     with pytest.raises(AttributeError):
         recording.name = "x"
-
-
-def test_progress_is_told_after_each_frame() -> None:
-    told: list[tuple[float, float]] = []
-    carom.Recording.of(quiet(), 0.5, 0.1, every=2, progress=lambda done, total: told.append((done, total)))
-    assert [total for _, total in told] == [0.5] * 3
-    assert [done for done, _ in told] == pytest.approx([0.2, 0.4, 0.5])
 
 
 @pytest.mark.parametrize(

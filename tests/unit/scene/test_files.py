@@ -2,13 +2,18 @@
 
 import json
 import os
+import re
 import stat
 from pathlib import Path
 from typing import Any
 
 import pytest
+import tomli_w
+from hypothesis import given
 
 import carom
+from carom.scene import files
+from tests.scene_tables import tables_of_scenes
 
 SCENE = carom.Scene(
     name='a "scene" of\nlines, \\ and \x7f and ä',
@@ -168,3 +173,10 @@ def test_a_saved_file_has_the_rights_of_any_new_file(tmp_path: Path) -> None:
     SCENE.save(tmp_path / "scene.toml")
     rights = [stat.S_IMODE((tmp_path / name).stat().st_mode) for name in ("any", "scene.toml")]
     assert rights[0] == rights[1]
+
+
+@given(tables_of_scenes)
+def test_a_scene_is_written_as_by_the_slow_writer(table: dict[str, Any]) -> None:
+    plain = carom.Scene(**table).plain()
+    slow = re.sub(r"\[\n((?: *[-+.\w]+,\n)+) *\]", files._on_one_line, tomli_w.dumps(plain))
+    assert files._to_toml(plain) == slow

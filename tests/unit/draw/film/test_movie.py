@@ -98,3 +98,18 @@ def test_what_interrupts_the_frames_ends_the_encoder_too(tmp_path: Path, recordi
 )
 def test_the_reason_is_picked_out_of_what_the_encoder_says(lines: list[str], told: str) -> None:
     assert reason(lines) == told
+
+
+class Silent:
+    """An imageio-ffmpeg without an ffmpeg."""
+
+    @staticmethod
+    def get_ffmpeg_exe() -> str:
+        """Do nothing: there is none."""
+        raise RuntimeError("No ffmpeg exe could be found.")
+
+
+def test_an_encoder_that_is_not_brought_for_this_machine_is_missing_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", Silent)
+    with pytest.raises(carom.MissingExtra, match="does not bring for this machine"):
+        encoder()

@@ -8,7 +8,6 @@ import pytest
 import carom
 from carom import draw
 from carom.cli import main
-from carom.draw.film.movie import encoder
 
 SCENE = """version = 1
 [world]
@@ -127,21 +126,6 @@ def test_a_missing_encoder_is_told_before_the_run(
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     assert status_of("run", "drop.toml", *outs("drop.mp4")) == 1
     assert capsys.readouterr().err == 'carom: animations need imageio-ffmpeg: pip install "carom[draw]"\n'
-
-
-class Silent:
-    """An imageio-ffmpeg without an ffmpeg."""
-
-    @staticmethod
-    def get_ffmpeg_exe() -> str:
-        """Do nothing: there is none."""
-        raise RuntimeError("No ffmpeg exe could be found.")
-
-
-def test_an_encoder_that_is_not_brought_for_this_machine_is_missing_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", Silent)
-    with pytest.raises(carom.MissingExtra, match="does not bring for this machine"):
-        encoder()
 
 
 @pytest.mark.parametrize("name", ["drop.png", "drop.gif", "drop.mp4", "drop.carom", "drop.html"])

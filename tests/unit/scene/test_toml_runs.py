@@ -1,71 +1,15 @@
-"""The quick ways with long lists do what the slow ways do: the same scenes, worlds and faults, to the bit and word."""
+"""Long runs of tables are read as TOML's own reader does, and without it."""
 
-import re
 import tomllib
 from typing import Any
 
 import pytest
-import tomli_w
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import carom
-from carom.scene import files, lists, scene, toml_runs
-from carom.scene.balls import described_balls
-from carom.scene.capture import described
-from carom.scene.descriptors import BallDescriptor
-from tests.property.test_scene import balls, changed, nothing_good, places, scene_or_words, tables_of_scenes
+from carom.scene import toml_runs
 
 quick = settings(suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
-
-
-@quick
-@given(tables_of_scenes, st.data())
-def test_lists_in_blocks_have_the_faults_that_they_have_as_a_whole(
-    monkeypatch: pytest.MonkeyPatch, table: dict[str, Any], data: st.DataObject
-) -> None:
-    for _ in range(data.draw(st.integers(0, 3))):
-        path = data.draw(st.sampled_from(places(table)[1:] or [("guard",)]))
-        table = changed({"guard": False} | table, path, data.draw(nothing_good))
-    monkeypatch.setattr(scene, "LISTS", ())
-    whole = scene_or_words(carom.Scene, **table)
-    monkeypatch.setattr(scene, "LISTS", lists.LISTS)
-    for block in (1, 2, 500):
-        monkeypatch.setattr(lists, "BLOCK", block)
-        assert repr(scene_or_words(carom.Scene, **table)) == repr(whole)
-
-
-@given(st.lists(balls, max_size=5))
-def test_balls_are_added_at_once_as_they_are_one_by_one(tables: list[dict[str, Any]]) -> None:
-    made = carom.Scene(balls=tables)
-    world, other = made.build(), carom.World()
-    for ball in made.balls:
-        other.add(ball.build())
-    assert world.digest() == other.digest()
-    assert [ball.name for ball in world.balls] == [ball.name for ball in made.balls]
-
-
-@given(st.lists(balls, max_size=5))
-def test_balls_of_a_world_are_described_at_once_as_they_are_one_by_one(tables: list[dict[str, Any]]) -> None:
-    world = carom.Scene(balls=tables).build()
-    assert all(ball.keys() == BallDescriptor.model_fields.keys() for ball in described_balls(world))
-    assert repr(carom.Scene.from_world(world).balls) == repr(tuple(described(ball) for ball in world.balls))
-
-
-def test_a_ball_that_no_number_can_hold_is_a_fault_of_the_scene() -> None:
-    with pytest.raises(
-        carom.SceneError, match=r"^balls\[0\]\.position: must leave the ball's box finite, not \(1e\+308"
-    ):
-        carom.Scene(balls=[{"position": (1e308, 0), "radius": 1e308}])
-
-
-@given(tables_of_scenes)
-def test_a_scene_is_written_as_by_the_slow_writer(table: dict[str, Any]) -> None:
-    plain = carom.Scene(**table).plain()
-    slow = re.sub(r"\[\n((?: *[-+.\w]+,\n)+) *\]", files._on_one_line, tomli_w.dumps(plain))
-    assert files._to_toml(plain) == slow
-
-
 lines = st.sampled_from(
     [
         "radius = 1",

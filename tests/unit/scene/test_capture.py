@@ -1,0 +1,40 @@
+"""The descriptors of what is there make it again as it stands."""
+
+from typing import Any
+
+import pytest
+
+import carom
+from tests.unit.scene.everything import world_of_everything
+
+
+def test_a_scene_holds_the_state_of_a_world_that_has_moved() -> None:
+    world = world_of_everything()
+    world.run(1.0)
+    scene = carom.Scene.from_world(world)
+    twin = scene.build()
+    assert scene.shapes[5].orientation == pytest.approx(0.5, abs=1e-12)
+    assert (scene.shapes[7].orientation, scene.shapes[7].angular_velocity) == (0.75, 0.0)
+    for shape, other in zip(world.shapes, twin.shapes, strict=True):
+        assert other.orientation == shape.orientation
+        assert other.pivot == pytest.approx(shape.pivot, abs=1e-12)
+        assert tuple(other.aabb) == pytest.approx(tuple(shape.aabb), abs=1e-12)
+    for ball, other in zip(world.balls, twin.balls, strict=True):
+        assert (other.position, other.velocity) == (ball.position, ball.velocity)
+    assert carom.Scene.from_world(twin) == scene
+
+
+def test_a_shape_that_has_turned_remembers_where_it_began() -> None:
+    world = carom.World()
+    hand = world.add(carom.Segment((0, 0), (2, 0), motion="kinematic", pivot=(0, 0)))
+    hand.rotate((0, 0), 1.0)
+    twin = carom.Scene.from_world(world).build().shapes[0]
+    assert (twin.p0, twin.p1) == (hand.p0, hand.p1)
+    twin.reset()
+    assert (twin.p0, twin.p1) == ((0.0, 0.0), (2.0, 0.0))
+
+
+@pytest.mark.parametrize("thing", [None, 3, carom.Ball((0, 0), 1), carom.Scene()])
+def test_from_world_wants_a_world(thing: Any) -> None:
+    with pytest.raises(carom.InvalidArgument, match=r"^world must be a World, not "):
+        carom.Scene.from_world(thing)
