@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from copy import copy
 from typing import Any, Self
 
@@ -14,7 +14,7 @@ from carom.shapes.aabb import Aabb
 from carom.shapes.ball import Ball
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.detection import Contact
-from carom.shapes.group import Group
+from carom.shapes.on_rails import OnRails
 from carom.shapes.point import Point
 from carom.shapes.shape import Shape, Surface
 from carom.spelling import spelled
@@ -46,7 +46,7 @@ def _surface(name: Surface, check: Callable[[str, Any], Any]) -> property:
 
 
 @spelled
-class Compound(Group):
+class Compound(OnRails):
     """A list of shapes that turn and travel as one about a pivot.
 
     Its parts become kinematic, and move as the compound says: `pivot`, `orientation`, `angular_velocity` (rad/s),
@@ -66,7 +66,9 @@ class Compound(Group):
     [0.0, 3.0]
     """
 
-    __slots__ = ("__weakref__", "_surface", "user")
+    __slots__ = ("__weakref__", "_parts", "_surface", "user")
+
+    _parts: list[Shape]
 
     elasticity = _surface("elasticity", non_negative)
     kick = _surface("kick", non_negative)
@@ -113,6 +115,61 @@ class Compound(Group):
 
     def __repr__(self) -> str:
         return f"Compound({len(self.shapes)} shapes, pivot={self.pivot})"
+
+    # -- how it moves ------------------------------------------------------------------------------------------------
+
+    @property
+    def _carried(self) -> Sequence[Shape]:
+        return self._parts
+
+    @property
+    def center_point(self) -> Shape:
+        """The point that starts at the pivot, moves with the compound and collides with nothing."""
+        return self._parts[0]
+
+    @property
+    def motion(self) -> Motion:
+        """Always KINEMATIC."""
+        return Motion.KINEMATIC
+
+    @property
+    def position(self) -> Vector:
+        """Where its `center_point` is. Setting it moves all parts and the pivot, and makes that their initial place."""
+        return self.center_point.position
+
+    @position.setter
+    @changing
+    def position(self, value: Pair) -> None:
+        x, y = pair("position", value)
+        from_x, from_y = self.position
+        pivot_x, pivot_y = self.pivot
+        pivot = pivot_x + (x - from_x), pivot_y + (y - from_y)
+        places = [(part.position[0] + (x - from_x), part.position[1] + (y - from_y)) for part in self._parts]
+        self._put_rows([part._moved("position", value, p, pivot) for part, p in zip(self._parts, places, strict=True)])
+
+    @property
+    def pivot(self) -> Vector:
+        """The place about which it turns. Setting it makes the compound as it stands the initial one."""
+        return self.center_point.pivot
+
+    @pivot.setter
+    @changing
+    def pivot(self, value: Pair) -> None:
+        x, y = pair("pivot", value)
+        rows = [part._hung("pivot", value, x, y) for part in self._parts]
+        if (x, y) != self.pivot:
+            rows[0] = self.center_point._moved("pivot", value, (x, y), (x, y))
+        self._put_rows(rows)
+
+    @property
+    def orientation(self) -> float:
+        """How far it has turned since its initial pose, in radians. Setting it turns it about its pivot."""
+        return self.center_point.orientation
+
+    @orientation.setter
+    @changing
+    def orientation(self, value: float) -> None:
+        self._turn("orientation", value, *self.pivot)
 
     # -- parts -------------------------------------------------------------------------------------------------------
 

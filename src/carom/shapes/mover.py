@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypedDict, Unpack
 
 import numpy as np
 
-from carom.checks import number, pair, positive, refuse
-from carom.rows.pose import acting_spin, derive, pose, set_before, set_initial, surface_velocity
-from carom.rows.shape import KINEMATIC, SHAPE, Motion, ShapeRow
+from carom.checks import pair, refuse
+from carom.rows.pose import derive, pose, set_before, set_initial
+from carom.rows.shape import SHAPE, Motion, ShapeRow
 from carom.shapes.member import Member
+from carom.shapes.on_rails import OnRails
 from carom.shapes.rails import (
     halt,
     send,
-    target_orientation,
-    target_pivot,
-    write_angular_velocity,
     write_motion,
-    write_rotating,
-    write_turn_limits,
-    write_velocity,
 )
 from carom.shapes.table import Home, RowTable, put_fields
-from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import MotionName, Pair, Vector
 
@@ -49,11 +43,8 @@ class Geometry(TypedDict, total=False):
     end_angle: float
 
 
-class Mover(Member[ShapeRow]):
-    """A member whose pose follows from its initial geometry, an orientation and a pivot; the rails of every `Shape`.
-
-    What changes more than one field does so on a copy of the row, which is checked as a whole before it is written.
-    """
+class Mover(OnRails, Member[ShapeRow]):
+    """A member whose pose follows from its initial geometry, an orientation and a pivot; the rails of every `Shape`."""
 
     __slots__ = ("_compound",)
 
@@ -85,6 +76,10 @@ class Mover(Member[ShapeRow]):
         ends = row["ax"], row["ay"], row["bx"], row["by"], row["length"]
         if not all(map(isfinite, (*box, *ends, row["cx"], row["cy"], row["pivot_x"], row["pivot_y"]))):
             raise refuse(name, "must leave the shape's place and box finite", value)
+
+    @property
+    def _carried(self) -> Sequence[Mover]:
+        return [self]
 
     def _refuse_part(self, name: str, value: object) -> None:
         """Raise where the shape is part of a compound, which alone says where its parts are."""
@@ -213,38 +208,6 @@ class Mover(Member[ShapeRow]):
         self._refuse_part("pivot", value)
         self._write(self._hung("pivot", value, x, y))
 
-    @property
-    def orientation(self) -> float:
-        """How far it has turned since its initial geometry, in radians; not brought to any range."""
-        return float(self._row["orientation"])
-
-    @changing
-    def rotate(self, pivot: Pair, angle: float) -> None:
-        """Turn the initial geometry by `angle` radians about `pivot`, which becomes the shape's pivot.
-
-        Always from the initial geometry, so a million small turns accumulate no drift; a shape that has travelled is
-        turned where it is. Raises `InvalidArgument` for a static shape, a part of a compound, and an angle beyond the
-        turn limits.
-
-        >>> import carom
-        >>> hand = carom.Segment((0, 0), (2, 0), motion="kinematic")
-        >>> hand.rotate((0, 0), 3.141592653589793 / 2)
-        >>> hand.orientation, hand.length
-        (1.5707963267948966, 2.0)
-        """
-        x, y = pair("pivot", pivot)
-        turn = number("angle", angle)
-        self._refuse_part("angle", angle)
-        if self._row["motion"] != KINEMATIC:
-            raise refuse("motion", "must be 'kinematic' for a shape that is to turn", "static")
-        self._write(self._turned("angle", angle, x, y, turn))
-
-    @changing
-    def reset(self) -> None:
-        """Restore the initial geometry and pivot, bit for bit, and with them its place. What moves it stays set."""
-        self._refuse_part("reset", self)
-        self._write(self._restored())
-
     def _restored(self) -> ShapeRow:
         """A copy of the row at its initial geometry and pivot."""
         row = self._still_row()
@@ -255,49 +218,6 @@ class Mover(Member[ShapeRow]):
 
     # -- motion ------------------------------------------------------------------------------------------------------
 
-    def _set_motion(self, name: str, write: Callable[[ShapeRow, Any], None], value: Any) -> None:
-        """Have `write` check and write what was set of the shape's motion; parts of compounds refuse it."""
-        self._refuse_part(name, value)
-        write(self._row, value)
-        self._change()
-
-    @spelled
-    @changing
-    def move_to(self, position: Pair, dt: float, orientation: float | None = None) -> None:
-        """Set the velocity and spin that bring the shape to a place in `dt` seconds, after which it rests there.
-
-        It comes there exactly, whatever the steps, and pushes balls as anything does that moves; `position =` puts it
-        there at once, onto whatever is there. Called again, it goes on from where it is. Whatever else is set of its
-        place or motion before it arrives lets it rest where it is.
-
-        Args:
-            position: Where its `position` is to be; its pivot travels there straight.
-            dt: Seconds until then, from now; positive. The length of a step for what follows the mouse.
-            orientation: What its `orientation` is to be, in radians; None keeps the one that it has.
-
-        Raises:
-            InvalidArgument: The shape is static or part of a compound, `dt` is not positive or too short for finite
-                speeds, or the orientation is beyond the turn limits or not to be reached because `rotating` is off.
-
-        >>> import carom
-        >>> world = carom.World(detection="continuous")
-        >>> paddle = world.add(carom.Segment((-1, 0), (1, 0), motion="kinematic"))
-        >>> paddle.move_to((3, 0.5), dt=0.1)
-        >>> hits = world.run(0.2)
-        >>> paddle.position, paddle.velocity
-        ((3.0, 0.5), (0.0, 0.0))
-        """
-        x, y = pair("position", position)
-        duration = positive("dt", dt)
-        self._refuse_part("position", position)
-        row = self._row
-        if row["motion"] != KINEMATIC:
-            raise refuse("motion", "must be 'kinematic' for a shape that is to move", "static")
-        turn = target_orientation(row, orientation)
-        sent = self._sent(row.copy(), position, target_pivot(row, x, y, turn), turn, duration)
-        sent["target_x"], sent["target_y"] = x, y
-        self._write(sent)
-
     @property
     def motion(self) -> Motion:
         """How it moves: STATIC or KINEMATIC. Takes their names too."""
@@ -307,54 +227,6 @@ class Mover(Member[ShapeRow]):
     @changing
     def motion(self, value: MotionName | Motion) -> None:
         self._set_motion("motion", write_motion, value)
-
-    @property
-    def angular_velocity(self) -> float:
-        """How fast it turns about its pivot, in rad/s; becomes 0 at a stop."""
-        return float(self._row["angular_velocity"])
-
-    @angular_velocity.setter
-    @changing
-    def angular_velocity(self, value: float) -> None:
-        self._set_motion("angular_velocity", write_angular_velocity, value)
-
-    @property
-    def rotating(self) -> bool:
-        """Whether the angular velocity acts."""
-        return bool(self._row["rotating"])
-
-    @rotating.setter
-    @changing
-    def rotating(self, value: bool) -> None:
-        self._set_motion("rotating", write_rotating, value)
-
-    @property
-    def turn_limits(self) -> tuple[float, float] | None:
-        """The stops `(low, high)` of its orientation, in radians, or None. They hold 0 and the orientation."""
-        row = self._row
-        return (float(row["turn_low"]), float(row["turn_high"])) if row["turn_limited"] else None
-
-    @turn_limits.setter
-    @changing
-    def turn_limits(self, value: Pair | None) -> None:
-        self._set_motion("turn_limits", write_turn_limits, value)
-
-    @property
-    def velocity(self) -> Vector:
-        """How fast its pivot, and it with that, travels, in length/s."""
-        row = self._row
-        return float(row["velocity_x"]), float(row["velocity_y"])
-
-    @velocity.setter
-    @changing
-    def velocity(self, value: Pair) -> None:
-        self._set_motion("velocity", write_velocity, value)
-
-    def surface_velocity(self, p: Pair) -> Vector:
-        """The velocity of the shape's matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""
-        x, y = pair("p", p)
-        row = self._row
-        return surface_velocity(row, acting_spin(row), x, y, 0.0)
 
     @property
     def compound(self) -> Compound | None:

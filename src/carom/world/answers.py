@@ -13,17 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
-from carom.rows.query import (
-    AIM,
-    CAST_HIT,
-    CONTACT,
-    IN_BOX,
-    NEIGHBOR,
-    AimRow,
-    CastRow,
-    ContactRow,
-    NeighborRow,
-)
+from carom.rows import query
 from carom.shapes.detection import Contact
 from carom.typing import Vector
 from carom.world.plural import Plural, vector
@@ -123,9 +113,9 @@ class CastHits(Answers[CastHit | None]):
     Where one touches nothing, `shape` is 0, `fraction` 1, `point` the target and `normal` 0.
     """
 
-    DTYPE = CAST_HIT
+    DTYPE = query.CAST_HIT
 
-    def _object(self, world: World, row: CastRow) -> CastHit | None:
+    def _object(self, world: World, row: query.CastRow) -> CastHit | None:
         if row["shape"] == 0:
             return None
         shape = _member(world, row["shape"])
@@ -135,9 +125,9 @@ class CastHits(Answers[CastHit | None]):
 class Neighbors(Answers[Neighbor | None]):
     """What is nearest to many places; `shape` 0 and `distance` infinite in a world where nothing can be seen."""
 
-    DTYPE = NEIGHBOR
+    DTYPE = query.NEIGHBOR
 
-    def _object(self, world: World, row: NeighborRow) -> Neighbor | None:
+    def _object(self, world: World, row: query.NeighborRow) -> Neighbor | None:
         if row["shape"] == 0:
             return None
         return Neighbor(_member(world, row["shape"]), float(row["distance"]), vector(row["point"]))
@@ -146,9 +136,9 @@ class Neighbors(Answers[Neighbor | None]):
 class Contacts(Answers[Contact]):
     """Overlaps of balls with shapes and other balls, in the order of the balls' ids, then of the shapes'."""
 
-    DTYPE = CONTACT
+    DTYPE = query.CONTACT
 
-    def _object(self, world: World, row: ContactRow) -> Contact:
+    def _object(self, world: World, row: query.ContactRow) -> Contact:
         shape, ball = _member(world, row["shape"]), _member(world, row["ball"])
         point, normal = vector(row["point"]), vector(row["normal"])
         return Contact(shape, ball, point, normal, float(row["setback"]), float(row["speed"]))
@@ -157,7 +147,7 @@ class Contacts(Answers[Contact]):
 class InBoxes(Plural[Any]):
     """Which shapes and balls are in which boxes: a row for every box and shape that meet, as it stands in the array."""
 
-    DTYPE = IN_BOX
+    DTYPE = query.IN_BOX
 
     def _item(self, row: Any) -> Any:
         return row
@@ -170,9 +160,9 @@ class Aims(Answers[Aim | None]):
     is (0, 0) here.
     """
 
-    DTYPE = AIM
+    DTYPE = query.AIM
 
-    def _object(self, world: World, row: AimRow) -> Aim | None:
+    def _object(self, world: World, row: query.AimRow) -> Aim | None:
         if row["shape"] == 0:
             return None
         direction, other_direction = vector(row["direction"]), vector(row["other_direction"])

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows.ball import ALL_LAYERS, BALL
+from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
+from carom.rows.relation import NO_RELATION
 from carom.rows.shape import Motion
 from carom.rows.state import StateRow
 from carom.rows.tables import Rows, Table
@@ -27,7 +28,7 @@ from carom.world.kernels.step.rollback import was_changed
 from carom.world.link import Link
 from carom.world.removal import remove_rows
 from carom.world.search import Search
-from carom.world.tables import Arrays, new_balls
+from carom.world.tables import Arrays
 from carom.world.views import Balls, Shapes, see_lent
 
 if TYPE_CHECKING:
@@ -193,10 +194,26 @@ class Members:
             InvalidArgument: Something has another shape, is not finite, or not what it must be; or a ball's box is not
                 finite. None has been added then.
         """
-        rows = new_balls(
-            position, velocity, radius, mass, elasticity, friction, layer, collides_with, sensor, can_collide
-        )
-        count = len(rows)
+        places = checks.array("position", position, (-1, 2))
+        count = len(places)
+        rows = np.zeros(count, BALL)
+        rows["x"], rows["y"] = places.T
+        rows["vx"], rows["vy"] = checks.array("velocity", velocity, (count, 2)).T
+        rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
+        rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
+        rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
+        given = OF_WORLD if friction is None else friction
+        rows["friction"] = checks.array("friction", given, (count,), least=0.0, besides=OF_WORLD)
+        rows["layer"] = checks.masks("layer", layer, count)
+        rows["collides_with"] = checks.masks("collides_with", collides_with, count)
+        rows["sensor"] = checks.flags("sensor", sensor, count)
+        rows["can_collide"] = checks.flags("can_collide", can_collide, count)
+        rows["relation"] = NO_RELATION
+        with np.errstate(over="ignore"):
+            far = ~np.isfinite(np.abs(places).T + rows["radius"]).all(axis=0)
+        if far.any():
+            first = int(np.argmax(far))
+            raise checks.refuse(f"position[{first}]", "must leave the ball's box finite", tuple(places[first].tolist()))
         table = self._arrays.balls
         table.reserve(table.count + count, doubling=False)
         rows["id"] = self._next_ids(count)

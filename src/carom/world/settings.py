@@ -32,6 +32,12 @@ Sides: TypeAlias = Aabb | Sequence[float] | NDArray[Any]
 
 NONE = -1.0
 
+#: The fields of the state that are a setting each.
+Field: TypeAlias = Literal[
+    "detection", "substeps", "iterations", "broad_phase", "levels", "total_restitution", "friction", "sleep_speed",
+    "sleep_time", "rest_speed", "max_speed", "max_impacts", "remove_strays",
+]  # fmt: skip
+
 
 class Setting(Generic[T, S]):
     """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there.
@@ -72,74 +78,49 @@ class Setting(Generic[T, S]):
         world._changed_all()
 
 
-def scalar(field: Literal["friction", "sleep_speed", "sleep_time"], doc: str) -> Setting[float, float]:
-    """A setting that is one number, not negative."""
+def plain(
+    field: Field,
+    check: Callable[[str, Any], T],
+    read: Callable[[Any], T],
+    doc: str,
+    written: Callable[[T], Any] = lambda value: value,
+) -> Setting[T, T]:
+    """A setting that is one field of the state, with how its value is checked, read and, unless as it is, written."""
 
-    def write(state: StateRow, value: float) -> None:
-        state[field] = value
+    def write(state: StateRow, value: T) -> None:
+        state[field] = written(value)
 
-    return Setting(checks.non_negative, write, lambda state: float(state[field]), doc)
+    return Setting(check, write, lambda state: read(state[field]), doc)
 
 
-def optional(
-    check: Callable[[str, Any], float], field: Literal["rest_speed", "max_speed"], doc: str
-) -> Setting[float | None, float | None]:
+def optional(field: Field, check: Callable[[str, Any], float], doc: str) -> Setting[float | None, float | None]:
     """A setting that is one number or None."""
-
-    def checked(name: str, value: Any) -> float | None:
-        return None if value is None else check(name, value)
-
-    def write(state: StateRow, value: float | None) -> None:
-        state[field] = NONE if value is None else value
-
-    def read(state: StateRow) -> float | None:
-        return None if state[field] < 0.0 else float(state[field])
-
-    return Setting(checked, write, read, doc)
+    return plain(
+        field,
+        lambda name, value: None if value is None else check(name, value),
+        lambda number: None if number < 0.0 else float(number),
+        doc,
+        lambda value: NONE if value is None else value,
+    )
 
 
-def count(most: int, field: Literal["substeps", "iterations", "levels", "max_impacts"], doc: str) -> Setting[int, int]:
+def count(field: Field, most: int, doc: str) -> Setting[int, int]:
     """A setting that is a whole number of at least 1."""
-
-    def check(name: str, value: Any) -> int:
-        return checks.whole(name, value, 1, most, REASONS[name])
-
-    def write(state: StateRow, value: int) -> None:
-        state[field] = value
-
-    return Setting(check, write, lambda state: int(state[field]), doc)
+    return plain(field, lambda name, value: checks.whole(name, value, 1, most, REASONS[name]), int, doc)
 
 
-def choice(
-    choices: tuple[W, ...], field: Literal["detection", "broad_phase", "total_restitution"], doc: str
-) -> Setting[W, W]:
+def choice(field: Field, words: tuple[W, ...], doc: str) -> Setting[W, W]:
     """A setting that is one of several words."""
-
-    def check(name: str, value: Any) -> W:
-        return checks.one_of(name, value, choices)
-
-    def write(state: StateRow, value: W) -> None:
-        state[field] = choices.index(value)
-
-    return Setting(check, write, lambda state: choices[int(state[field])], doc)
+    return plain(field, lambda name, value: checks.one_of(name, value, words), words.__getitem__, doc, words.index)
 
 
-def switch(field: Literal["remove_strays"], doc: str) -> Setting[bool, bool]:
-    """A setting that is on or off."""
-
-    def write(state: StateRow, value: bool) -> None:
-        state[field] = value
-
-    return Setting(checks.flag, write, lambda state: bool(state[field]), doc)
-
-
-def vector(x: Literal["gravity_x"], y: Literal["gravity_y"], doc: str) -> Setting[Vector, Pair]:
+def vector(doc: str) -> Setting[Vector, Pair]:
     """A setting that is a pair of numbers."""
 
     def write(state: StateRow, value: Vector) -> None:
-        state[x], state[y] = value
+        state["gravity_x"], state["gravity_y"] = value
 
-    return Setting(checks.pair, write, lambda state: (float(state[x]), float(state[y])), doc)
+    return Setting(checks.pair, write, lambda state: (float(state["gravity_x"]), float(state["gravity_y"])), doc)
 
 
 def box(doc: str) -> Setting[Aabb | None, Sides | None]:
@@ -176,37 +157,42 @@ def box(doc: str) -> Setting[Aabb | None, Sides | None]:
 class Settings:
     """The settings of a world, each an attribute that can be changed while the world runs."""
 
-    gravity = vector("gravity_x", "gravity_y", "Acceleration (x, y) of all balls, in length/s².")
+    gravity = vector("Acceleration (x, y) of all balls, in length/s².")
     detection: Setting[Detection, Detection] = choice(
-        DETECTIONS,
         "detection",
+        DETECTIONS,
         "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
         " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
     )
-    substeps = count(MOST_SUBSTEPS, "substeps", "Motion iterations per step.")
-    iterations = count(MOST_ITERATIONS, "iterations", "Collision iterations per substep at most (discrete).")
+    substeps = count("substeps", MOST_SUBSTEPS, "Motion iterations per step.")
+    iterations = count("iterations", MOST_ITERATIONS, "Collision iterations per substep at most (discrete).")
     broad_phase: Setting[BroadPhase, BroadPhase] = choice(
-        BROAD_PHASES, "broad_phase", "How pairs are found; all find the same pairs, faster or slower."
+        "broad_phase", BROAD_PHASES, "How pairs are found; all find the same pairs, faster or slower."
     )
-    levels = count(MOST_LEVELS, "levels", "Levels of the quadtree, the root included.")
+    levels = count("levels", MOST_LEVELS, "Levels of the quadtree, the root included.")
     restitution: Setting[Restitution, Restitution] = choice(
-        RESTITUTIONS,
         "total_restitution",
+        RESTITUTIONS,
         "What elasticity scales: the normal velocity, or all of it (`total`; static and kinematic shapes).",
     )
-    friction = scalar("friction", "Deceleration of every ball that has no friction of its own, in length/s².")
-    sleep_speed = scalar("sleep_speed", "Speed below which a ball may fall asleep.")
-    sleep_time = scalar("sleep_time", "Seconds below `sleep_speed` before a ball sleeps.")
-    rest_speed = optional(
+    friction = plain(
+        "friction",
         checks.non_negative,
+        float,
+        "Deceleration of every ball that has no friction of its own, in length/s².",
+    )
+    sleep_speed = plain("sleep_speed", checks.non_negative, float, "Speed below which a ball may fall asleep.")
+    sleep_time = plain("sleep_time", checks.non_negative, float, "Seconds below `sleep_speed` before a ball sleeps.")
+    rest_speed = optional(
         "rest_speed",
+        checks.non_negative,
         "Speed of approach below which an inelastic contact comes to rest; by default twice what gravity adds in a"
         " substep.",
     )
-    max_speed = optional(checks.positive, "max_speed", "A faster ball is slowed to this after a response.")
-    max_impacts = count(MOST_IMPACTS, "max_impacts", "Impacts of a ball in a substep at most (continuous).")
+    max_speed = optional("max_speed", checks.positive, "A faster ball is slowed to this after a response.")
+    max_impacts = count("max_impacts", MOST_IMPACTS, "Impacts of a ball in a substep at most (continuous).")
     bounds = box("Left, bottom, right and top of a box; a ball wholly outside of it is a stray.")
-    remove_strays = switch("remove_strays", "Whether strays are removed at the end of the step.")
+    remove_strays = plain("remove_strays", checks.flag, bool, "Whether strays are removed at the end of the step.")
 
 
 SETTINGS: tuple[str, ...] = tuple(name for name, value in vars(Settings).items() if isinstance(value, Setting))

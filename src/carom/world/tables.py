@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from carom import checks
 from carom.errors import InvalidArgument
-from carom.rows.ball import BALL, OF_WORLD, BallRow
+from carom.rows.ball import BALL, BallRow
 from carom.rows.flight import FLIGHT
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
-from carom.rows.relation import NO_RELATION, RELATION
+from carom.rows.relation import RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, KINEMATIC, SHAPE, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE, StateRow
@@ -184,42 +183,6 @@ class Arrays:
         larger[:half] = self.relations[:half]
         larger[2 * wanted : 2 * wanted + high] = self.relations[half : half + high]
         self.relations = larger
-
-
-def new_balls(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    radius: ArrayLike | None,
-    mass: ArrayLike,
-    elasticity: ArrayLike,
-    friction: ArrayLike | None,
-    layer: ArrayLike,
-    collides_with: ArrayLike,
-    sensor: ArrayLike,
-    can_collide: ArrayLike,
-) -> Rows:
-    """The rows of balls that are not in a table yet, without ids; raises `InvalidArgument` for bad arguments."""
-    places = checks.array("position", position, (-1, 2))
-    count = len(places)
-    rows = np.zeros(count, BALL)
-    rows["x"], rows["y"] = places.T
-    rows["vx"], rows["vy"] = checks.array("velocity", velocity, (count, 2)).T
-    rows["radius"] = checks.array("radius", radius, (count,), above=0.0)
-    rows["mass"] = checks.array("mass", mass, (count,), above=0.0)
-    rows["elasticity"] = checks.array("elasticity", elasticity, (count,), least=0.0)
-    given = OF_WORLD if friction is None else friction
-    rows["friction"] = checks.array("friction", given, (count,), least=0.0, besides=OF_WORLD)
-    rows["layer"] = checks.masks("layer", layer, count)
-    rows["collides_with"] = checks.masks("collides_with", collides_with, count)
-    rows["sensor"] = checks.flags("sensor", sensor, count)
-    rows["can_collide"] = checks.flags("can_collide", can_collide, count)
-    rows["relation"] = NO_RELATION
-    with np.errstate(over="ignore"):
-        far = ~np.isfinite(np.abs(places).T + rows["radius"]).all(axis=0)
-    if far.any():
-        first = int(np.argmax(far))
-        raise checks.refuse(f"position[{first}]", "must leave the ball's box finite", tuple(places[first].tolist()))
-    return rows
 
 
 def clear_kernel_place(state: StateRow) -> None:

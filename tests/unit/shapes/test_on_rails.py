@@ -1,4 +1,4 @@
-"""Groups: all parts turn, travel and are put back as one, or none is."""
+"""What moves on rails as one: all parts of a compound turn, travel and are put back, or none is."""
 
 from math import pi
 
