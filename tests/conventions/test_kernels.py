@@ -57,6 +57,7 @@ FORBIDDEN_NODES = {
 DATA_CLASSES = {"IntEnum", "NamedTuple", "Protocol", "TypedDict"}
 DATA_CALLS = ("np.dtype(", "dtype_of(", "Annotated[")
 DATA_MODULES = {"enum", "numpy", "numpy.typing", "typing"}
+MOST_ARGUMENTS = 10
 FORBIDDEN_OPERATORS = {ast.Pow: "**", ast.MatMult: "@"}
 
 
@@ -205,6 +206,15 @@ def test_a_kernel_unpacks_optional_results_and_never_indexes_them() -> None:
 
 def test_every_argument_of_a_kernel_is_annotated() -> None:
     check_each(kernel_files(), bare_arguments)
+
+
+def many_arguments(path: Path) -> list[str]:
+    """The functions of a file that take more than ten arguments."""
+    return [function.name for function in functions(path) if len(function.args.args) > MOST_ARGUMENTS]
+
+
+def test_no_function_of_geometry_takes_more_than_ten_arguments() -> None:
+    check_each((path for path in kernel_files() if path.parent.name == "geometry"), many_arguments)
 
 
 def test_the_compiler_is_imported_at_its_door_alone() -> None:

@@ -46,7 +46,8 @@ def deals_with_kinds(path: Path) -> bool:
     module = tree(path)
     if path.parent == PACKAGE / "geometry":
         answers = {name for function in functions(path) for name in function.name.split("_")}
-        return len(answers & NAMES) > 1
+        tuples = {node.name.removesuffix("Geometry") for node in module.body if isinstance(node, ast.ClassDef)}
+        return len(answers & NAMES) > 1 or len(tuples & CLASSES) > 1
     words = said(module)
     kinds = imported(module, "carom.shapes") & CLASSES | imported(module, "carom.rows.shape") & CODES
     if path == PACKAGE / "rows" / "shape.py":

@@ -25,7 +25,7 @@ def advance_point(qx: float, qy: float, turning: Turning, path: Path, radius: fl
     """When the ball first touches the point q, or None."""
     path = path_beside(path, turning)
     kx, ky = qx - turning.pivot_x, qy - turning.pivot_y
-    # What turns about itself stands still.
+    # A point that is the pivot does not turn.
     if turning.spin == 0.0 or (kx == 0.0 and ky == 0.0):
         return impact_point(qx, qy, path, radius, duration)
     return next_fall(0.0, True, TURN_DEPTH * radius, Edge(OUTER, kx, ky, radius), seen_path(path, turning), duration)
@@ -162,6 +162,7 @@ def advance_on_perimeter(
         after = sector_entry(time, edge, arc, radius, seen, duration)
         if after is not None:
             return after
+        # It passes the circle there, as a ball does past a segment's end.
         touch = next_fall(time, False, depth, edge, seen, duration)
     return touch
 

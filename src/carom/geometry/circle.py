@@ -79,6 +79,7 @@ def common_tangents(
     mx, my = cosine * ux + sine * uy, cosine * uy - sine * ux
     px, py, qx, qy = x1 + r1 * nx, y1 + r1 * ny, x2 + r2 * nx, y2 + r2 * ny
     sx, sy, tx, ty = x1 + r1 * mx, y1 + r1 * my, x2 + r2 * mx, y2 + r2 * my
+    # The excess is above zero, but a tangent shorter than the rounding of places has no direction.
     if (px == qx and py == qy) or (sx == tx and sy == ty):
         return None
     return px, py, qx, qy, sx, sy, tx, ty

@@ -60,6 +60,7 @@ def impact_circle(circle: CircleGeometry, path: Path, radius: float, duration: f
     seen = path_from(path, cx, cy)
     px, py, vx, vy, gx, gy = seen
     height, outward = px * px + py * py - r * r, px * vx + py * vy
+    # On the perimeter it is outside if it goes inwards, for then that is where it comes from.
     if solid or height > 0.0 or (height == 0.0 and outward < 0.0):
         return impact_disc(seen, r + radius, duration)
     if gx == 0.0 and gy == 0.0:

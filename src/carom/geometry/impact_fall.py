@@ -51,7 +51,9 @@ def fall_from_overlap(
 
     The last only if it is not about to pass, so if it is `beside` the segment or overlaps by the end depth at most.
     """
+    # A rate as small as the rounding of the velocity's direction is none.
     slides = rate * rate <= APPROACH_ROUNDING_SQUARED * (rate * rate + along_rate * along_rate)
+    # Without a pull towards the line it is pressed on now or never, with one at once unless it leaves.
     if acceleration >= 0.0:
         if rate < 0.0 and not slides:
             return 0.0
@@ -126,6 +128,7 @@ def stays_apart(p: float, v: float, g: float, reach: float, duration: float) -> 
 def stays_outside(path: Path, reach: float, duration: float) -> bool:
     """Whether the centre clearly stays farther than `reach` from 0, or leaves from there for good."""
     px, py, vx, vy, gx, gy = path
+    # Most balls are far off along one of the axes, and that takes the fewest products.
     if stays_apart(px, vx, gx, reach, duration) or stays_apart(py, vy, gy, reach, duration):
         return True
     height = px * px + py * py - reach * reach
@@ -145,7 +148,7 @@ def stays_inside(path: Path, room: float, duration: float) -> bool:
     height = room * room - (px * px + py * py)
     if room <= 0.0 or height < -GRAZING * room * room:
         return False
-    # Here it must not be taken for too small, so t⁴ is replaced by t²·duration², and t³ by t²·duration where positive.
+    # Here the squared distance must not be too small: t⁴ is replaced by t²·duration², t³ by t²·duration where positive.
     bend = vx * vx + vy * vy + px * gx + py * gy + 0.25 * (gx * gx + gy * gy) * duration * duration
     drift = dot(vx, vy, gx, gy)
     if drift > 0.0:
@@ -223,6 +226,7 @@ def outer_level(away: float, r: float, radius: float, held: float) -> float:
 def inner_level(away: float, r: float, radius: float, held: float) -> float:
     """The same for a ball inside, whose squared distance from the centre rises; infinity at none."""
     inner, shallow = r - radius, r - radius + END_DEPTH_CONTINUOUS * radius
+    # A ball that is larger than the circle (`inner` is 0 or less) is never clear of it inside.
     if inner > 0.0 and away < inner * inner:
         return inner * inner
     if 0.0 <= held <= r * r:

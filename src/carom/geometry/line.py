@@ -48,6 +48,7 @@ def closest_on_segment(ax: float, ay: float, bx: float, by: float, x: float, y: 
         return ax, ay
     ux, uy = direction
     along = dot(x - ax, y - ay, ux, uy)
+    # Seen from each end itself, so that an end's answer is that end to the bit, and none is lost to rounding.
     if along <= 0.0:
         return ax, ay
     if dot(x - bx, y - by, ux, uy) >= 0.0:

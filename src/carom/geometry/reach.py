@@ -34,6 +34,7 @@ def touch_in_slab(time: float, duration: float, path: Path, extent: float, slop:
     if entry is None:
         return None
     later = time + entry
+    # It touches there if it overlaps by no more than the end depth and goes on approaching, else it is passing.
     gap = side - radius + (rate + 0.5 * acceleration * later) * later
     if later <= duration and -END_DEPTH_CONTINUOUS * radius <= gap and rate + acceleration * later < 0.0:
         return later

@@ -114,6 +114,7 @@ def root_between(quartic: Quartic, low: float, high: float, rising: bool, guess:
     Steps from `guess` by `newton_step`. The error is that of evaluating the polynomial at the root.
     """
     c4, c3, c2, c1, c0 = quartic
+    # A guess from a part of the polynomial may be anywhere.
     time = guess
     if not low < time < high:
         time = low + 0.5 * (high - low)
@@ -121,6 +122,7 @@ def root_between(quartic: Quartic, low: float, high: float, rising: bool, guess:
     for _ in range(ROOT_STEPS):
         value = (((c4 * time + c3) * time + c2) * time + c1) * time + c0
         slope = ((4.0 * c4 * time + 3.0 * c3) * time + 2.0 * c2) * time + c1
+        # The enclosure shrinks to where the sign still changes.
         if (value < 0.0) == rising:
             low = time
         else:

@@ -64,6 +64,7 @@ def seen_place(time: float, seen: SeenPath) -> tuple[float, float, float, float]
     x, y, wx, wy = seen_start(SeenPath(path_after(path, time), spin))
     if time == 0.0:
         return x, y, wx, wy
+    # R(-ωt), of the place and of the velocity alike.
     c, s = cos(spin * time), sin(spin * time)
     return c * x + s * y, c * y - s * x, c * wx + s * wy, c * wy - s * wx
 
@@ -123,6 +124,7 @@ def next_fall(start: float, held: bool, depth: float, edge: Edge, seen: SeenPath
         # The rate has the rounding of the velocities that it is the difference of.
         if rate < -APPROACH_ROUNDING * v:
             return start
+        # What overlaps already counts when it gets deeper than it is, as long as it does not get clear before.
         floor = gap
     time = start
     for _ in range(TURN_STEPS):
@@ -164,6 +166,7 @@ def safe_step(gap: float, rate: float, bend: float) -> float:
 
 def fall_between(low: float, high: float, floor: float, edge: Edge, seen: SeenPath) -> float:
     """When the gap, above `floor` after `low` and not above it at `high`, falls through it; as `roots.root_between`."""
+    # From the end that has fallen: near a crossing the last step of the search has ended just behind it.
     time = high
     step = high - low
     tolerance = ROOT_TOLERANCE * high
