@@ -48,6 +48,7 @@ def advance_segment(
     seen = seen_path(path, turning)
     px, py, wx, wy = seen_start(seen)
     nx, ny = -ty, tx
+    # As in `impact_segment`: the normal points to the side that the ball is on or comes from.
     side, rate = nx * (px - ax) + ny * (py - ay), nx * wx + ny * wy
     if side < 0.0 or (side == 0.0 and rate > 0.0):
         nx, ny, side = ty, -tx, -side
@@ -75,6 +76,7 @@ def advance_on_side(
     # Where the ball comes in past an end, its distance from that end's line, `slop` outside, falls through zero.
     before, after = Edge(LINE, -tx, -ty, slop - start), Edge(LINE, tx, ty, start + extent + slop)
     touch = next_fall(0.0, held, depth, edge, seen, duration)
+    # Each round is a touch of the line, which most often is one of the segment too.
     for _ in range(TURN_CROSSINGS):
         if touch is None:
             return None
@@ -133,6 +135,7 @@ def advance_arc(
     dx, dy = px - kx, py - ky
     away, outward = sqrt(dx * dx + dy * dy), dx * wx + dy * wy
     outside = away > r or (away == r and outward < 0.0)
+    # Only the side that it is on holds a ball that overlaps; on the other it has to come from clear.
     held = touches_arc(dx, dy, radius, centred)
     outer = Edge(OUTER, kx, ky, r + radius)
     from_outside = advance_on_perimeter(held and outside, outer, centred, radius, seen, duration)

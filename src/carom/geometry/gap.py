@@ -37,6 +37,7 @@ def gap_circle(
     """The gap to the circle, from outside or, unless it is solid, from inside."""
     cx, cy, r, solid = circle
     dx, dy = x - cx, y - cy
+    # 0 at c alone, however small the numbers are: so nothing is divided by zero below.
     away = length(dx, dy)
     if away == 0.0:
         # No direction is nearer than another; against the velocity the ball approaches what it meets.

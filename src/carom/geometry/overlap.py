@@ -40,6 +40,7 @@ def overlap_segment(
     ax, ay, tx, ty, extent = segment
     dx, dy = x - ax, y - ay
     along = dot(dx, dy, tx, ty)
+    # A bare end stops no ball; where one should, there is a point of its own.
     if along < 0.0 or along > extent:
         return None
     side = cross(tx, ty, dx, dy)
@@ -118,6 +119,7 @@ def overlap_ball(
     dx, dy = x2 - x1, y2 - y1
     distance = length(dx, dy)
     reach = r1 + r2
+    # Lengths are compared, not squares: so what is told of has a setback above zero.
     if distance >= reach:
         return None
     nx, ny = direction_or(dx, dy, wx, wy)
@@ -131,6 +133,7 @@ def overlap_perimeter(
     cx, cy, r, _ = circle
     side = distance - r
     gap = fabs(side)
+    # An arc has asked this before its sector, a circle asks it here.
     if gap >= radius:
         return None
     nx, ny = outward_or(ux, uy, side, wx, wy)
