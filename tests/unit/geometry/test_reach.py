@@ -48,6 +48,8 @@ def test_a_sector_is_as_wide_as_its_margins(seed: int) -> None:
     for _ in range(200):
         x, y = random.uniform(-2 * r, 2 * r), random.uniform(-2 * r, 2 * r)
         inside = in_sector(start, end, x, y)
+        if hypot(x, y) < 2.0 * width:
+            continue  # Behind the centre, where the two rays begin, a narrow sector is not widened.
         # How far it is from the nearest of the two rays.
         rays = [(cos(edge), sin(edge)) for edge in (start, end)]
         away = min(hypot(x - max(x * c + y * s, 0.0) * c, y - max(x * c + y * s, 0.0) * s) for c, s in rays)
