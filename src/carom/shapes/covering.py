@@ -155,14 +155,10 @@ def _are_near(covers: _Covers, places: _Places, spots: Indices) -> NDArray[np.bo
     box = _Box(left + right, bottom + top, right - left, top - bottom)
     size = abs(box.x) + abs(box.y) + box.half_width + box.half_height
     slack = GUARD_ROUNDING * (size + np.abs(rows["cx"]) + np.abs(rows["cy"]) + rows["radius"] + rows["length"])
-    tolerances = covers.tolerances.to(places.tolerances.take(spots).most())[:, 0] + slack
-    near = covers.apart(rows, box) <= tolerances
-    near &= (rows["left"] - box.x <= box.half_width + tolerances) & (
-        box.x - rows["right"] <= box.half_width + tolerances
-    )
-    near &= (rows["bottom"] - box.y <= box.half_height + tolerances) & (
-        box.y - rows["top"] <= box.half_height + tolerances
-    )
+    within = covers.tolerances.to(places.tolerances.take(spots).most())[:, 0] + slack
+    near = covers.apart(rows, box) <= within
+    near &= (rows["left"] - box.x <= box.half_width + within) & (box.x - rows["right"] <= box.half_width + within)
+    near &= (rows["bottom"] - box.y <= box.half_height + within) & (box.y - rows["top"] <= box.half_height + within)
     near &= (motions.min() <= covers.motions) & (covers.motions <= motions.max())
     return np.asarray(near, np.bool_)
 
