@@ -1,21 +1,26 @@
 """Calls of kernels as they stand, interpreted, with the rows and the room that they ask for."""
 
 from collections.abc import Iterable
+from math import inf
 
 import numpy as np
 
 from carom import World
 from carom.rows.ball import ALL_LAYERS, BALL
+from carom.rows.flight import NO_BALL, NO_PLACE, NOTHING
+from carom.rows.hit import HIT_ROW
 from carom.rows.index import CELL, SLOT, ShapeIndex
+from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import SHAPE
-from carom.rows.state import BRUTE, GRID, QUADTREE, STATE
+from carom.rows.state import BRUTE, DONE, GRID, NOTE, QUADTREE, STATE
 from carom.rows.tables import Rows
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
-from carom.world.kernels.continuous.flight import begin_flight, new_flights
-from carom.world.kernels.continuous.spans import set_shapes_going
+from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
+from carom.world.kernels.continuous.instants import later
+from carom.world.kernels.continuous.predict import predict_all, predict_own
 from carom.world.tables import Arrays
 
 Ball = tuple[float, float, float]
@@ -99,18 +104,56 @@ def prepared(world: World) -> Arrays:
     return world._arrays
 
 
-def in_flight(world: World, span: float) -> Arrays:
-    """The tables of a continuous world whose balls begin a span, which is a whole step of so many seconds."""
-    arrays = world._arrays
-    arrays.prepare()
-    state = arrays.states[0]
-    state["dt"] = state["span"] = span
-    set_shapes_going(state, arrays.balls.rows, arrays.shapes.rows, arrays.order)
+def in_flight(world: World, dt: float = 1.0) -> Arrays:
+    """The tables of a continuous world in a step of `dt` seconds: its balls are on their flights, none is foreseen."""
+    arrays = prepared(world)
+    arrays.extend_relations(4 * (arrays.shapes.count + arrays.balls.count) + 16)
+    state, balls, order, relations = arrays.states[0], arrays.balls.rows, arrays.order, arrays.relations
+    state["dt"], state["steps_left"] = dt, 1
+    rows = arrays.states, balls, arrays.shapes.rows, order, relations, arrays.flights
+    assert begin_film_step(*rows) == DONE
+    if state["stage"] == NOTE:
+        tables = arrays.shapes.rows, order, *shape_index(arrays), relations, arrays.flights
+        assert note_passed(state, balls, *tables) == DONE
+    arrays.island = np.zeros(len(balls), BODY), np.zeros(len(relations), ISLAND_CONTACT)
+    tables = arrays.hits.view(HIT_ROW), relations, arrays.flights, arrays.island[0]
+    assert take_up(state, balls, arrays.shapes.rows, order, *tables) == DONE
     prepare_index(world, float(world.balls.radius.max(initial=0.0)))
-    state["substeps"] = state["steps_left"] = 1
-    state["binned"] = state["swept"] = state["queued"] = 0
-    state["bin_levels"] = 1
-    new_flights(state, arrays.flights)
-    for ball, flight in zip(arrays.balls.used, arrays.flights, strict=False):
-        begin_flight(state, ball, flight)
+    state["binned"] = state["queued"] = state["bin_levels"] = 0
+    arrays.flights["place"] = NO_PLACE
+    arrays.flights["row"] = np.arange(len(arrays.flights))
     return arrays
+
+
+def film_tables(arrays: Arrays) -> tuple[Rows, ...]:
+    """The shapes and how they are found, as most kernels of the film ask for them."""
+    return arrays.shapes.rows, arrays.order, *shape_index(arrays)
+
+
+def look_at(arrays: Arrays, seconds: float) -> None:
+    """Let it be so many seconds after the beginning of the step that is made."""
+    state = arrays.states[0]
+    state["now"], state["now_low"] = later(float(state["time"]), float(state["time_low"]), seconds)
+
+
+def foresee_own(arrays: Arrays, i: int = 0) -> tuple[int, float, float, int]:
+    """What comes next for a ball but for other balls, from now on: the event, its instant, and with whom."""
+    tables = arrays.flights, *film_tables(arrays), arrays.relations
+    predict_own(arrays.states[0], arrays.balls.rows, *tables, i)
+    return foreseen(arrays, i)
+
+
+def foreseen(arrays: Arrays, i: int = 0) -> tuple[int, float, float, int]:
+    """What comes next for a ball, as it was foreseen last: the event, its instant, and with whom."""
+    flight = arrays.flights[i]
+    if flight["event"] == NOTHING:
+        return NOTHING, inf, 0.0, NO_BALL
+    return int(flight["event"]), float(flight["event_time"]), float(flight["event_low"]), int(flight["partner"])
+
+
+def foresee_all(arrays: Arrays) -> Rows:
+    """The heads of the balls' cells, when what comes next was foreseen for every ball and stands in the queue."""
+    heads = np.zeros(64 + 16 * arrays.balls.count, "i4")
+    tables = *film_tables(arrays), heads, arrays.relations, arrays.flights, arrays.queue
+    assert predict_all(arrays.states[0], arrays.balls.rows, *tables)
+    return heads

@@ -20,12 +20,13 @@ class Parts(NamedTuple):
     shapes: Any
     relations: Any
     hits: Any
+    courses: Any
 
 
 def taken_apart(snapshot: bytes) -> Parts:
     """The parts of a snapshot."""
     file = io.BytesIO(snapshot[len(MAGIC) + HASH_SIZE :])
-    return Parts(*[np.lib.format.read_array(file) for _ in range(6)])
+    return Parts(*[np.lib.format.read_array(file) for _ in Parts._fields])
 
 
 def sealed(payload: bytes) -> bytes:

@@ -4,7 +4,7 @@
 `python -m docs.figures FOLDER` does so too.
 """
 
-from docs.figures import arcs, balls, boxes, circles, ends, impacts, lines, moving, points, segments, tangents  # noqa: F401
+from docs.figures import arcs, balls, boxes, circles, ends, film, impacts, lines, moving, points, segments, tangents  # noqa: F401
 from docs.figures.sheet import FIGURES, draw_all
 
 __all__ = ["FIGURES", "draw_all"]

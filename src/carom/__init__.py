@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.errors import (
     CaromError,
+    ImpactLimit,
     InvalidArgument,
     LostObject,
     MissingExtra,
@@ -63,6 +64,7 @@ __all__ = [
     "Gate",
     "HitKind",
     "Hits",
+    "ImpactLimit",
     "InvalidArgument",
     "Line",
     "LostObject",

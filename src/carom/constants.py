@@ -113,9 +113,19 @@ ROOT_STEPS = 100
 APPROACH_ROUNDING = 1e-15
 APPROACH_ROUNDING_SQUARED = APPROACH_ROUNDING * APPROACH_ROUNDING
 
-#: Relative to the squared length of a ball's path from its centre to a shape: what passes by so clearly is left out
-#: before its times are computed. Far above the rounding of that estimate (1e-15), so that no touch is lost by it.
+#: Relative to the squares of a ball's distance and way: a ball that keeps clear of a touch by more than this, as far as
+#: one looks, is left out before its time is computed. Far above the rounding of a time (1e-15), so that no time depends
+#: on how far one looks; larger, and more times are computed in vain.
 GRAZING = 1e-12
+
+#: Relative to the coordinates that a gap is reckoned from: one that is no wider is rounding, and left as it is. A few
+#: units in the last place. Smaller, and centres are moved by what their places cannot tell, which adds up; larger, and
+#: gaps stay that need not.
+GAP_ROUNDING = 1e-15
+
+#: Factor on a ball's reach, far above rounding (1e-16): a ball that falls is out of it for good when it is farther off
+#: than this against the pull.
+ESCAPE_MARGIN = 1.000001
 
 #: Fraction of a ball's radius: how deep a ball may dip into a turning shape unseen, and get clear again by itself. What
 #: dips deeper is always found; what is found is exact. A hundredth of END_DEPTH_CONTINUOUS, so that a dip is no
@@ -143,10 +153,6 @@ BIN_REACH = 0.375
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_BALLS = 6
 
-#: In radii of the smallest ball: while no ball may go farther in a span than this, all pairs that may meet in it are
-#: found at once. More means more pairs that do not meet.
-SWEEP_MOST = 1.5
-
 #: Factor on the way of the balls in a span, far above its rounding (1e-15).
 SWEEP_ROUNDING = 1.000001
 
@@ -154,35 +160,8 @@ SWEEP_ROUNDING = 1.000001
 #: still does. A way there and back again within it goes unseen; smaller costs events.
 LOOK_TRAVEL = 0.25
 
-#: Fraction of a substep. Where e < 1 and rebounds come closer together than this, a contact lasts. Smaller, and balls
-#: bounce more often before they come to rest.
-LASTING_PART = 1.0 / 64.0
-
-#: Fraction of a substep: balls that rest on balls meet again whenever such a part of it ends. Smaller, and piles are
-#: stiffer and cost more.
-PATIENCE_PART = 1.0 / 16.0
-
-#: Fraction of the radius of the smaller of them: balls that rest on each other meet again before what pulls them has
-#: moved them farther than this. More, and in long substeps a ball falls into the one below it.
-PATIENCE_DEPTH = 0.01
-
-#: Times that their wait is halved for that at most: in a substep of an hour a ball of a millimetre needs 30.
-PATIENCE_HALVINGS = 40
-
-#: Fraction of such a part: a time less than this before its end is at its end.
-TICK_MARGIN = 1e-6
-
-#: Fraction of a substep after which a ball that slides along a bent or moving shape is put back onto it. It leaves the
-#: shape by less than 1e-3 of its radius in between as long as it turns by less than a full turn a substep.
-SLIDE_PART = 1.0 / 48.0
-
-#: Radians: a ball that slides along a bent or turning shape is put back onto it at least so often. That is all within
-#: a full turn a substep; without it, a ball is carried away in substeps of many turns.
-SLIDE_TURN = TWO_PI * SLIDE_PART
-
-#: Fraction of a ball's radius: at elasticities of 1 and more rebounds never end, and a contact lasts only where they
-#: are lower than this and would come more often than `max_impacts` allows. Larger, and energy is lost that is seen.
-ELASTIC_LIFT = 1e-12
+#: Radians: a ball that slides along a bent or turning shape is put back onto it at least so often.
+SLIDE_TURN = 0.1
 
 #: Fraction of a ball's radius: the most that a lasting contact may have opened before it is given up.
 LIFT = 1e-3
@@ -232,7 +211,7 @@ PUSH_MARGIN = 1.000001
 SEPARATION_SLACK = 1e-9
 
 #: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.
-FLIGHT_SLICES = 1024
+FLIGHT_SLICES = 64
 
 #: Static shapes up to this many are all tested against a ball's way in continuous mode, without an index.
 FEW_SHAPES = 16
@@ -240,9 +219,6 @@ FEW_SHAPES = 16
 #: Factor on a span's length within which a shape's stop counts as reached at its end. Above rounding (1e-16) by far;
 #: a shape that travels too goes this much too far in that span.
 STOP_MARGIN = 1.000000001
-
-#: Fraction of a substep: what is left of it after this is no span of its own, but rounding.
-SPAN_END = 0.999999999999
 
 #: (√5 - 1)/2: its multiples, modulo 1, keep away from each other as evenly as those of any number.
 GOLDEN_SECTION = 0.6180339887498949
@@ -267,3 +243,157 @@ RAY_SLOP = 1e-14
 #: Relative to the speed of a shot: a ball that goes on slower stands still. Aimed full at another, it keeps what the
 #: rounding of its line leaves it, some 1e-15 for every radius that it comes from afar.
 STILL_SHARE = 1e-12
+
+#: Seconds: the instant of what never was. Far before any world's beginning, and small enough to reckon with.
+NEVER = -1e300
+
+#: Part of the speed at which a ball meets a shape: at this it leaves one that takes all of its approach and does not
+#: hold it. A few units in the last place.
+LEAST_PART = 1e-15
+
+#: Part of a ball's speed: what it has off a shape that holds it is rounding below this.
+LEAST_ROLL = 1e-12
+
+#: Fraction of a ball's radius: where the rebound off what presses it on would be lower than this, the contact lasts; at
+#: elasticities of 1 and more the second. Larger, and bounces that can be seen are cut off; smaller, and balls bounce
+#: more often before they rest.
+REBOUND = 1e-3
+ELASTIC_REBOUND = 1e-9
+
+#: Share of what pulls a ball: a pressure on what holds it that is less is rounding. Far above that (1e-16).
+PRESS_ROUNDING = 1e-12
+
+#: Fraction of a ball's radius by which a ball that slides along a bent or moving shape leaves it between two ticks at
+#: most. Smaller costs ticks, by the cube root.
+SLIDE_LIFT = 2.5e-4
+
+#: Rounds in which the way that a ball has slid in a tick, and its speed, are bettered: each by two or three digits.
+SLIDE_ROUNDS = 4
+
+#: Fraction of a ball's radius: a flight between two impacts that is shorter cannot be told from none. After so many of
+#: them, one after the other, the ball's impacts take all of the approach; at elasticities of 1 and more the second.
+SHORT_FLIGHT = 1e-6
+SHORT_ELASTIC_FLIGHT = 1e-12
+SHORT_FLIGHTS = 8
+SHORT_ELASTIC_FLIGHTS = 32
+
+#: Fraction of a ball's radius: what such a ball is nearer to, it touches.
+SHORT_GAP = 1e-5
+
+#: Fraction of a moving shape's reach from its pivot that a ball, as seen from it, goes in one slice of a search for
+#: their touch, and the radians that the shape turns in one at most. Changes the last bits of impacts, and the speed.
+MOVER_WAY = 0.25
+MOVER_TURN = 0.5
+
+#: Slices of such a search in one look.
+MOVER_LOOKS = 16
+
+#: Looks of a ball at a sensor, or at what it passes, before it looks for the rest of what comes next.
+SENSOR_LOOKS = 16
+
+#: Fraction of the speed that what pulls a ball changes in a tick of friction, where that does not act along its path.
+FRICTION_TICK = 0.02
+
+#: Sine of the angle below which a pull along a ball's path is taken to be along it. Far above rounding (1e-16).
+FRICTION_TURN = 1e-12
+
+#: Events of a step after which its kernel comes back for a moment, so that Ctrl-C is heard.
+EVENTS_BETWEEN_PAUSES = 200_000
+
+#: Steps of Newton's method that put a ball onto two shapes which hold it; from a thousandth of its radius off two or
+#: three reach the last digit.
+TOUCH_STEPS = 4
+
+#: Rounds of `iterations` each in which balls that overlap because something was changed are parted at most, before
+#: they fly. Fewer, and a crowd keeps overlaps; more, and one that has no room is pushed for longer.
+PARTING_ROUNDS = 64
+
+#: Sweeps to and fro over an island's contacts before each search along its loaded ones, steps of a search at most, and
+#: rounds of both at most. Fewer, and more is left unsolved in large heaps under heavy balls; more, and two shapes that
+#: close on a ball, where there is no solution, take longer.
+SOLVER_SWEEPS = 2
+SEARCH_STEPS = 256
+SOLVER_ROUNDS = 24
+
+#: Share of the tolerance of a solve down to which a search goes on: the sweep after it changes what it has found.
+SEARCH_SHARE = 0.1
+
+#: Share of the worst approach of a contact without load down to which a search goes on: beyond, it solves what the next
+#: sweep will change. At 0 and at 0.1 large heaps take up to twice the time, at 1 heavy balls are left unsolved.
+SEARCH_PROPORTION = 0.01
+
+#: Relative to the sum over single contacts: a search direction along which the energy bends by less moves nothing but
+#: rounding. Smaller, and impulses run away along it; larger, and balls a million times heavier than others move on.
+LEAST_CURVATURE = 1e-12
+
+#: Relative to the velocity that a contact's impulse gives: breaches of contacts below this are rounding. Smaller, and
+#: solves under a ball a million times heavier than others never end before their last round.
+SOLVER_ROUNDING = 1e-15
+
+#: Times in a solve of an island's accelerations that contacts which part, but would be brought back within the tick,
+#: are stopped, and how many times the solve's tolerance they part faster. Fewer times or faster, and low hops go on.
+HOP_ROUNDS = 2
+HOP_SPEED = 4.0
+
+#: Visits of a ball while an impact spreads through an island at most, and those of them in which contacts are elastic.
+#: More than a ball of a long row of touching ones needs; fewer would end the impulse within it.
+IMPACT_VISITS = 64
+ELASTIC_VISITS = 32
+
+#: Share of the speed below which a contact does not rebound: slower approaches do not spread. Smaller, and impacts
+#: reach farther into heaps than can be seen.
+IMPACT_SHARE = 1e-3
+
+#: Relative to an island's fastest ball: approaches below this are rounding of its velocities, and do not spread.
+SPEED_ROUNDING = 1e-14
+
+#: Fraction of a ball's radius: how far other balls of its island move it in one solve of places at most. Larger, and it
+#: may be pushed through what nobody has looked at; smaller, and deep overlaps take more ticks.
+ISLAND_PUSH = 0.1
+
+#: Passes over an island's contacts that part balls one by one at most, after so many rounds of a solve for all at once.
+PLACE_PASSES = 8
+PLACE_ROUNDS = 4
+
+#: Fraction of a ball's radius: overlaps of an island that are left as they are. Above rounding of places by far.
+PLACE_SLACK = 1e-9
+
+#: Fraction of a ball's radius: a gap up to this to a shape that pressed over the last tick is closed. Larger than what
+#: a tick opens on a bent shape, small enough that nobody sees it.
+SETTLE_GAP = 1e-4
+
+#: The tick of an island: a share of the time in which its least ball would fall its radius, and the radians that a
+#: contact's normal turns in it at most. Smaller costs solves; larger, and balls on bends leave them more.
+ISLAND_TICK = 0.1
+ISLAND_TURN = 0.1
+
+#: Share of an island's tick: if less of it remains at an event, the next one begins.
+LEAST_TICK = 1e-3
+
+#: Relative to an island's fastest ball, where nothing presses it: contacts do not rebound more slowly.
+STILL_SPEED = 1e-9
+
+#: Share of the speed below which contacts do not rebound, and of what pulls an island over a tick, down to which its
+#: velocities and its accelerations are solved.
+SETTLED_SHARE = 1e-6
+TICK_SHARE = 1e-7
+
+#: Fraction of a ball's radius: a contact of an island that does not press and is opened farther ends. Smaller, and
+#: contacts end and begin again; larger, and balls are held together that are apart.
+ISLAND_OPEN = 1e-4
+
+#: Ticks, one after the other, in which an island hardly moves before it sleeps, and what hardly is: shares of the speed
+#: below which contacts do not rebound, and of what pulls it.
+QUIET_TICKS = 8
+QUIET_SPEED = 0.05
+QUIET_PULL = 0.02
+
+#: Fraction of a ball's radius: a moving shape that is deeper in a ball which has no room goes over it.
+SQUEEZE_DEEP = 0.5
+
+#: Share of the speed below which contacts of an island do not rebound: a ball that an event elsewhere pushes by more
+#: within the tick is solved with it. Smaller costs; larger, and the balls around it do work.
+JOLT_SHARE = 1e-3
+
+#: The same as `TICK_SHARE` for such an event.
+JOLT_TOLERANCE = 1e-4

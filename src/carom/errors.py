@@ -39,6 +39,21 @@ class NonFiniteState(CaromError, ValueError):
     """A world's state holds NaN or infinity; the message names the balls."""
 
 
+class ImpactLimit(CaromError, RuntimeError):
+    """A ball has reached `max_impacts` in a step of the continuous mode, which ended there; the world is whole.
+
+    Attributes:
+        balls: The ids of the balls that have reached it.
+        time: The world's time, at which the step ended.
+        hits: Those of the step until then, or of the run.
+    """
+
+    def __init__(self, message: str, balls: list[int], time: float) -> None:
+        super().__init__(message)
+        self.balls = balls
+        self.time = time
+
+
 class WorldBusy(CaromError, RuntimeError):
     """A world was stepped, changed or asked while it was in use, by another thread or by what called this."""
 

@@ -64,7 +64,7 @@ FORBIDDEN_OPERATORS = {ast.Pow: "**", ast.MatMult: "@"}
 def is_data(node: ast.stmt) -> bool:
     """Whether a statement of a module defines what rows are, or imports what that needs; it is never compiled."""
     if isinstance(node, ast.ClassDef):
-        return any(ast.unparse(base).partition("[")[0] in DATA_CLASSES for base in node.bases)
+        return any(ast.unparse(base).partition("[")[0] in {*DATA_CLASSES, "CourseRow"} for base in node.bases)
     if isinstance(node, ast.Assign):
         return ast.unparse(node.value).startswith(DATA_CALLS)
     if isinstance(node, ast.FunctionDef):  # what makes a dtype

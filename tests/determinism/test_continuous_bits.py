@@ -34,6 +34,7 @@ def test_the_same_bits_whatever_the_room() -> None:
     assert first.digest() == second.digest()
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_bits_compiled_and_interpreted() -> None:
     assert printed(PROGRAM) == printed(PROGRAM, NUMBA_DISABLE_JIT="1")

@@ -11,6 +11,7 @@ from carom.geometry import (
     advance,
     arc,
     circle,
+    events,
     figures,
     gap,
     impact,
@@ -20,6 +21,7 @@ from carom.geometry import (
     path,
     ray,
     reach,
+    response,
     roots,
     turning,
     vector,
@@ -37,6 +39,8 @@ MODULES = (
     arc,
     overlap,
     roots,
+    events,
+    response,
     reach,
     gap,
     impact_straight,
@@ -50,7 +54,12 @@ KINDS = ("point", "segment", "circle", "arc", "ball")
 DOORS = [
     roots.falling_time,
     roots.quadratic_roots,
-    roots.cubic_roots,
+    events.leaving_time,
+    events.slowing_time,
+    events.stopping_time,
+    events.braked,
+    response.rebounded,
+    gap.placed,
     *[
         function
         for module in (impact, ray, advance, gap)
@@ -95,7 +104,22 @@ def scene(random: Random) -> dict[str, Any]:
     rest = {"reach": extent + radius, "dx": vx * duration, "dy": vy * duration, "solid": random.random() < 0.5}
     names = {"cx": cx, "cy": cy, "qx": cx, "qy": cy, "r": extent, "tx": tx, "ty": ty, "extent": extent}
     polynomial = {name: random.gauss(0.0, 3.0) for name in ("c0", "c1", "c2", "c3", "height", "rate", "acceleration")}
-    return shape | ball | turns | other | rest | names | polynomial | {"slop": 1e-9 * radius, "wx": vx, "wy": vy}
+    box = {"left": cx - 9.0, "bottom": cy - 9.0, "right": cx + 9.0, "top": cy + 9.0, "end": duration}
+    slow = {"speed": abs(vx), "deceleration": random.random(), "gap": 1e-6, "nx": tx, "ny": ty, "scale": extent}
+    bounce = {"surface_vx": 0.1, "surface_vy": 0.0, "px": -tx, "py": -ty, "e": 0.9, "kick": 1.0, "total": False}
+    return (
+        box
+        | slow
+        | bounce
+        | shape
+        | ball
+        | turns
+        | other
+        | rest
+        | names
+        | polynomial
+        | {"slop": 1e-9 * radius, "wx": vx, "wy": vy}
+    )
 
 
 @pytest.mark.slow

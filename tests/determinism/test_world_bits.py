@@ -40,6 +40,7 @@ def test_every_way_gives_the_same_bits_in_another_process(seed: str, digests: li
     assert fresh.printed(CODE, PYTHONHASHSEED=seed).split() == digests
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_every_way_gives_the_same_bits_interpreted(digests: list[str]) -> None:
     assert fresh.printed(CODE, NUMBA_DISABLE_JIT="1", PYTHONHASHSEED="random").split() == digests

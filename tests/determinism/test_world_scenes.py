@@ -53,6 +53,7 @@ def test_compiled_and_interpreted(scene: str) -> None:
     assert tuple(printed.split()[1:]) == outcome(scene)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_from_run_to_run_and_whatever_the_hash_seed() -> None:
     here = {scene: outcome(scene) for scene in carom.scenes.names()}

@@ -13,7 +13,7 @@ from docs.figures.sheet import LETTERS, svg_of
 from tests.conventions.source_trees import ROOT
 
 DRAWING = re.compile(r"^```\{drawing\} (\S+)\n(.+)\n```$", re.MULTILINE)
-PAGES = sorted((ROOT / "docs" / "maths").glob("*.md"))
+PAGES = sorted([*(ROOT / "docs" / "maths").glob("*.md"), ROOT / "docs" / "how-the-film-works.md"])
 SVG = "{http://www.w3.org/2000/svg}"
 #: Pixels: an average letter is about this part of its height wide.
 LETTER_WIDTH = 0.55 * LETTERS

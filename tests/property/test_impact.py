@@ -234,17 +234,6 @@ def test_units_of_length_and_time_do_not_matter_to_the_bit(
     assert there == (None if here is None else here * second)
 
 
-@given(flights(), fractions)
-def test_looking_less_far_ahead_changes_nothing_but_what_is_seen(scene: tuple[Figure, Flight], part: float) -> None:
-    figure, flight = scene
-    time = carom_impact(figure, flight, END_SLOP * flight.radius)
-    assume(time is not None and time > 0.0)
-    less = Flight(*flight.numbers()[:7], (time or 0.0) * part * (1.0 - 1e-6))
-    seen = carom_impact(figure, less, END_SLOP * flight.radius)
-    # only a graze at the very end may appear, for which the ball would have turned back
-    assert seen is None or seen > less.duration * (1.0 - 1e-6)
-
-
 @given(flights())
 def test_a_shape_that_does_not_turn_is_met_in_closed_form(scene: tuple[Figure, Flight]) -> None:
     figure, flight = scene

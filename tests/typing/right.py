@@ -191,6 +191,8 @@ except carom.WorldBusy as error:
     print(error)
 except carom.NonFiniteState as error:
     print(error.hits)
+except carom.ImpactLimit as error:
+    print(error.balls, error.time, error.hits)
 except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra, carom.LostObject) as error:
     print(error)
 except carom.CaromError as error:

@@ -3,8 +3,11 @@
 The shape comes first, as it is at time 0, then its motion, then the path of the ball's centre, its `radius`, and the
 `duration` to look ahead, within which none of these change. Each returns what `impact` returns: the first time from
 which on a ball that touches goes on approaching, as seen from the shape, or None. A shape that does not turn is met in
-closed form, as one at rest by a ball with the velocity relative to it. What turns is met by the search of `turning`,
-which says how exact it is and how it ends. Times that may be missing are made plain numbers by `0.0 + time`, for the
+closed form, as one at rest by a ball with the velocity relative to it, and `duration` only leaves out what is later.
+What turns is met by the search of `turning`, which says how exact it is and how it ends. It steps by bounds of what the
+ball does within the `duration`, which must be finite, so the last bits of its times depend on that; one who wants them
+not to cuts time by a rule of its own. A search may go on from any time: the path and the shape then are as they are at
+that time, and times are counted from there. Times that may be missing are made plain numbers by `0.0 + time`, for the
 compiler.
 """
 

@@ -4,13 +4,14 @@ The shape comes first, then the ball's centre `x, y`, its `radius`, and `wx, wy`
 which decides the normal where the centre lies on the shape. Each returns `(gap, nx, ny)`: how far the ball is from the
 shape, negative where they overlap, and the unit normal from the shape to the ball. One that lies beyond the ends of a
 segment by more than `slop` has no gap: None. A point is a solid circle of radius 0, an arc a circle that is not solid,
-where the ball is in its sector.
+where the ball is in its sector. `placed` closes a gap.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from math import fabs, sqrt
 
+from carom.constants import GAP_ROUNDING
 from carom.geometry.figures import CircleGeometry, SegmentGeometry
 from carom.geometry.vector import cross, dot, length
 
@@ -46,6 +47,18 @@ def gap_circle(
     if not solid and (away < r or (away == r and dot(dx, dy, wx, wy) > 0.0)):
         return r - away - radius, -dx / away, -dy / away
     return away - r - radius, dx / away, dy / away
+
+
+def placed(x: float, y: float, gap: float, nx: float, ny: float, scale: float) -> tuple[float, float]:
+    """The centre moved along the normal so that its ball touches, whether it was too deep or not near enough.
+
+    A gap within the rounding of `scale`, the coordinates that it was reckoned from, is left: a time of impact brings
+    the ball to the surface that closely from either side, so nothing adds up, where moves by less than a place can tell
+    would have a sign.
+    """
+    if fabs(gap) <= GAP_ROUNDING * scale:
+        return x, y
+    return x - gap * nx, y - gap * ny
 
 
 def against(wx: float, wy: float) -> tuple[float, float]:

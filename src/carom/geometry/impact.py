@@ -1,12 +1,13 @@
 """When a moving ball first touches a shape: `impact_<kind>` for each kind of shape.
 
-The shape comes first, then the path of the ball's centre, p(t) = p + v·t + g·t²/2, its `radius`, and the `duration` to
-look ahead, for 0 <= t <= duration. Each returns the first time from which on a ball that touches goes on approaching,
-or None. So a ball that touches, to rounding or deeper, and approaches has its impact at 0; one that leaves or slides,
-and a path that only grazes, have none. A ball that overlaps and leaves has its impact when it comes back from clear, or
-when it would get deeper than it was. A centre exactly on a segment or perimeter is taken to be on the side that it
-comes from. Near the largest and smallest doubles, where squares overflow or vanish, impacts are missed; there is never
-a NaN.
+The shape comes first, then the path of the ball's centre, p(t) = p + v·t + g·t²/2 for t >= 0, its `radius`, and the
+`duration` to look ahead. Each returns the first time from which on a ball that touches goes on approaching, or None.
+The time depends on the shape, the path and the radius alone, to the bit; `duration`, which may be infinite, decides
+only whether it is returned, or None because it is later. So a ball that touches, to rounding or deeper, and approaches
+has its impact at 0; one that leaves or slides, and a path that only grazes, have none. A ball that overlaps and leaves
+has its impact when it comes back from clear, or when it would get deeper than it was. A centre exactly on a segment or
+perimeter is taken to be on the side that it comes from. Near the largest and smallest doubles, where squares overflow
+or vanish, impacts are missed; there is never a NaN.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from __future__ import annotations
 from carom.geometry.figures import ArcGeometry, CircleGeometry, SegmentGeometry, centred_arc
 from carom.geometry.impact_fall import fall_on_arc, fall_on_disc, fall_on_line, fall_on_ring, stays_apart
 from carom.geometry.impact_straight import reach_arc, reach_bowl, reach_disc, reach_line
-from carom.geometry.path import Path, path_from
+from carom.geometry.path import Path, is_straight, path_from
 from carom.geometry.vector import cross, dot
 
 
@@ -25,7 +26,7 @@ def impact_point(qx: float, qy: float, path: Path, radius: float, duration: floa
 
 def impact_disc(path: Path, reach: float, duration: float) -> float | None:
     """When the centre comes as near as `reach` to 0 from outside, or None."""
-    if path.gx == 0.0 and path.gy == 0.0:
+    if is_straight(path):
         return reach_disc(path, reach, duration)
     return fall_on_disc(path, reach, duration)
 
@@ -46,7 +47,7 @@ def impact_segment(segment: SegmentGeometry, path: Path, radius: float, duration
     if stays_apart(side, rate, acceleration, radius, duration):
         return None
     seen = Path(dot(dx, dy, tx, ty), side, dot(vx, vy, tx, ty), rate, dot(gx, gy, tx, ty), acceleration)
-    if gx == 0.0 and gy == 0.0:
+    if is_straight(path):
         return reach_line(seen, extent, radius, duration, slop)
     return fall_on_line(seen, extent, radius, duration, slop)
 
@@ -58,12 +59,12 @@ def impact_circle(circle: CircleGeometry, path: Path, radius: float, duration: f
     """
     cx, cy, r, solid = circle
     seen = path_from(path, cx, cy)
-    px, py, vx, vy, gx, gy = seen
+    px, py, vx, vy, _, _ = seen
     height, outward = px * px + py * py - r * r, px * vx + py * vy
     # On the perimeter it is outside if it goes inwards, for then that is where it comes from.
     if solid or height > 0.0 or (height == 0.0 and outward < 0.0):
         return impact_disc(seen, r + radius, duration)
-    if gx == 0.0 and gy == 0.0:
+    if is_straight(path):
         return reach_bowl(seen, r - radius, duration)
     return fall_on_ring(seen, r, radius, duration)
 
@@ -74,7 +75,7 @@ def impact_arc(arc: ArcGeometry, path: Path, radius: float, duration: float, slo
     Its centre is in the sector then, or within `slop` past its rays. None if it does not within `duration`.
     """
     centred, seen = centred_arc(arc, slop), path_from(path, arc.cx, arc.cy)
-    if path.gx == 0.0 and path.gy == 0.0:
+    if is_straight(path):
         return reach_arc(seen, radius, centred, duration)
     return fall_on_arc(seen, radius, centred, duration)
 

@@ -4,20 +4,30 @@ The gap to a line is a quadratic in time. The squared distance |p + v·t + g·t�
 p² + 2(p·v)·t + (v² + p·g)·t² + (v·g)·t³ + g²·t⁴/4. It turns where the distance is least or greatest, at the roots of a
 cubic, which are enclosed between those of a quadratic; from one turn to the next it only falls or only rises, so the
 squared distances at the turns tell between which of them the ball touches. They are taken from the places there, not
-from the quartic's coefficients, and the quartic is set up anew from the nearer of the two turns: so no digits are lost
-to a ball that comes from far away. Most misses are seen before all this, by bounds that cost a few products.
+from the quartic's coefficients, and so are the cubic's values; the quartic is set up anew from the nearer of the two
+turns. So no digits are lost to a ball that comes from far away. All roots are looked for until the ball is out of reach
+for good, so a time depends on the path and the shape alone, and `duration`, which may be infinite, leaves out what is
+later. Most misses within it are seen before all this, by bounds that cost a few products; they leave out only what
+keeps clear of a touch by more than rounding (`GRAZING`).
 """
 
 from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_CONTINUOUS, GRAZING
+from carom.constants import (
+    APPROACH_ROUNDING_SQUARED,
+    END_DEPTH_CONTINUOUS,
+    ESCAPE_MARGIN,
+    GRAZING,
+    ROOT_STEPS,
+    ROOT_TOLERANCE,
+)
 from carom.geometry.figures import CentredArc
 from carom.geometry.path import Path, path_after, place_on
-from carom.geometry.reach import touch_in_sector, touch_in_slab, touches_arc
-from carom.geometry.roots import Quartic, cubic_roots, falling_time, root_between
-from carom.geometry.vector import dot, length_squared, smaller
+from carom.geometry.reach import slab_touch_within, touch_in_sector, touch_in_slab, touches_arc
+from carom.geometry.roots import Quartic, falling_time, newton_step, quadratic_roots, root_between, time_within
+from carom.geometry.vector import dot, larger, length_squared, smaller, unit
 
 
 def fall_on_line(path: Path, extent: float, radius: float, duration: float, slop: float) -> float | None:
@@ -31,17 +41,17 @@ def fall_on_line(path: Path, extent: float, radius: float, duration: float, slop
         time = falling_time(gap, rate, acceleration)
     else:
         time = fall_from_overlap(gap, rate, acceleration, along_rate, radius, -slop <= along <= extent + slop)
-    if time is not None and time <= duration:
-        touch = touch_in_slab(0.0 + time, duration, path, extent, slop, radius)
+    if time is not None and 0.0 + time < inf:
+        touch = touch_in_slab(0.0 + time, path, extent, slop, radius)
         if touch is not None:
-            return touch
+            return time_within(0.0 + touch, duration)
     # Past an end it may get to the other side, and come back to the segment from there. On that side it begins below
     # the line, so what it falls from is the crest of its path.
     mirrored = Path(along, -side, along_rate, -rate, along_acceleration, -acceleration)
     time = fall_from_crest(-side - radius, -rate, -acceleration, radius)
-    if time is None or time > duration:
+    if time is None:
         return None
-    return touch_in_slab(0.0 + time, duration, mirrored, extent, slop, radius)
+    return slab_touch_within(0.0 + time, mirrored, extent, slop, radius, duration)
 
 
 def fall_from_overlap(
@@ -113,7 +123,7 @@ def fall_on_arc(path: Path, radius: float, arc: CentredArc, duration: float) -> 
 
 
 def stays_apart(p: float, v: float, g: float, reach: float, duration: float) -> bool:
-    """Whether along one axis alone the centre stays farther than `reach` from 0."""
+    """Whether along one axis alone the centre clearly stays farther than `reach` from 0."""
     if p < 0.0:
         p, v, g = -p, -v, -g
     # Each of the terms v·t and g·t²/2 is least at one of the ends; so their sum is no less than the sum of the least.
@@ -122,52 +132,90 @@ def stays_apart(p: float, v: float, g: float, reach: float, duration: float) -> 
         lowest += v * duration
     if g < 0.0:
         lowest += 0.5 * g * duration * duration
-    return lowest > 0.0
+    return lowest > GRAZING * (p + reach)
 
 
 def stays_outside(path: Path, reach: float, duration: float) -> bool:
-    """Whether the centre clearly stays farther than `reach` from 0, or leaves from there for good."""
+    """Whether the centre clearly stays farther than `reach` from 0, or leaves from there."""
     px, py, vx, vy, gx, gy = path
     # Most balls are far off along one of the axes, and that takes the fewest products.
     if stays_apart(px, vx, gx, reach, duration) or stays_apart(py, vy, gy, reach, duration):
         return True
-    height = px * px + py * py - reach * reach
+    away = px * px + py * py
+    height = away - reach * reach
     if height < -GRAZING * reach * reach:
         return False
     # The squared distance without its fourth power, and with t³ replaced by t²·duration where it is negative.
-    bend = vx * vx + vy * vy + px * gx + py * gy
+    speed_squared = vx * vx + vy * vy
+    bend = speed_squared + px * gx + py * gy
     drift = dot(vx, vy, gx, gy)
     if drift < 0.0:
         bend += drift * duration
-    return stays_above(height, 2.0 * dot(px, py, vx, vy), bend, duration)
+    span = path_size(away + reach * reach, speed_squared, gx * gx + gy * gy, duration)
+    return stays_above(height, 2.0 * dot(px, py, vx, vy), bend, duration, span)
 
 
 def stays_inside(path: Path, room: float, duration: float) -> bool:
     """Whether the centre clearly stays nearer than `room` to 0."""
     px, py, vx, vy, gx, gy = path
-    height = room * room - (px * px + py * py)
+    away = px * px + py * py
+    height = room * room - away
     if room <= 0.0 or height < -GRAZING * room * room:
         return False
     # Here the squared distance must not be too small: t⁴ is replaced by t²·duration², t³ by t²·duration where positive.
-    bend = vx * vx + vy * vy + px * gx + py * gy + 0.25 * (gx * gx + gy * gy) * duration * duration
+    speed_squared, pull_squared = vx * vx + vy * vy, gx * gx + gy * gy
+    bend = speed_squared + px * gx + py * gy + 0.25 * pull_squared * duration * duration
     drift = dot(vx, vy, gx, gy)
     if drift > 0.0:
         bend += drift * duration
-    return stays_above(height, -2.0 * dot(px, py, vx, vy), -bend, duration)
+    span = path_size(away + room * room, speed_squared, pull_squared, duration)
+    return stays_above(height, -2.0 * dot(px, py, vx, vy), -bend, duration, span)
 
 
-def stays_above(height: float, rate: float, bend: float, duration: float) -> bool:
-    """Whether height + rate·t + bend·t² is clearly above 0 for 0 < t <= duration; a negative height counts as 0."""
+def path_size(size: float, speed_squared: float, pull_squared: float, duration: float) -> float:
+    """No less than the squares, of which `size` is the first ones' sum, whose rounding a squared distance has."""
+    return size + (speed_squared + 0.25 * pull_squared * duration * duration) * duration * duration
+
+
+def stays_above(height: float, rate: float, bend: float, duration: float, span: float) -> bool:
+    """Whether height + rate·t + bend·t² is clearly above 0 for 0 < t <= duration; a negative height counts as 0.
+
+    Clearly is by a share of `span`; but for what leaves at once, which is above 0 and rises first.
+    """
     if height < 0.0:
         height = 0.0
-    end = height + (rate + bend * duration) * duration
-    if not end > GRAZING * (height + (fabs(rate) + fabs(bend) * duration) * duration):
+    noise = GRAZING * span
+    if not height + (rate + bend * duration) * duration > noise:
         return False
     # Concave, rising from the start, or falling to the end: then it is least at one of the ends.
-    if bend <= 0.0 or rate >= 0.0 or -rate >= 2.0 * bend * duration:
+    if rate >= 0.0:
         return True
+    if bend <= 0.0 or -rate >= 2.0 * bend * duration:
+        return height > noise
     # Else it is least at t = -rate/(2·bend), where it is height - rate²/(4·bend).
-    return 4.0 * bend * height - rate * rate > GRAZING * rate * rate
+    return 4.0 * bend * (height - noise) > rate * rate
+
+
+def escape_time(path: Path, reach: float) -> float:
+    """A time after which the centre is farther than `reach` from 0 for good; below 0 if it is so from the start.
+
+    It is farther off than that along the pull alone, by `ESCAPE_MARGIN`. Infinite without a pull.
+    """
+    px, py, vx, vy, gx, gy = path
+    direction = unit(gx, gy)
+    if direction is None:
+        return inf
+    ux, uy = direction
+    pull, rate = dot(gx, gy, ux, uy), dot(vx, vy, ux, uy)
+    room = ESCAPE_MARGIN * reach + GRAZING * (fabs(px) + fabs(py)) - dot(px, py, ux, uy)
+    # The square of the rate at which it goes through that distance, as by the conservation of energy.
+    rate_squared = rate * rate + 2.0 * pull * room
+    if rate_squared < 0.0:
+        return -1.0
+    root = sqrt(rate_squared)
+    if rate > 0.0:
+        return 2.0 * room / (root + rate)
+    return (root - rate) / pull
 
 
 def fall_time(path: Path, radius: float, arc: CentredArc, whole: bool, duration: float) -> float | None:
@@ -179,10 +227,15 @@ def fall_time(path: Path, radius: float, arc: CentredArc, whole: bool, duration:
     held = -1.0
     if fabs(sqrt(away) - r) <= radius and (whole or touches_arc(px, py, radius, arc)):
         held = away
-    falls, turn1, turn2, turn3 = distance_turns(path, duration)
+    escape = escape_time(path, r + radius)
+    if not 0.0 <= escape < inf:
+        return None
+    falls, turn1, turn2, turn3 = distance_turns(path, escape)
     low = 0.0
-    for high in (turn1, turn2, turn3, duration):
-        # A missing turn is at `duration`, and one from a standstill at 0: an empty stretch, after which the ball turns.
+    for high in (turn1, turn2, turn3, escape):
+        if low > duration:
+            return None
+        # A missing turn is at `escape`, and one from a standstill at 0: an empty stretch, after which the ball turns.
         if high > low:
             x, y = place_on(path, high)
             end = x * x + y * y
@@ -197,10 +250,10 @@ def fall_time(path: Path, radius: float, arc: CentredArc, whole: bool, duration:
                 if not at_once:
                     time = level_time(path, level, low, high, falls)
                 if whole:
-                    return time
+                    return time_within(time, duration)
                 touch = touch_in_sector(time, high, path, radius, arc)
                 if touch is not None:
-                    return touch
+                    return time_within(0.0 + touch, duration)
             low, away = high, end
         falls = not falls
     return None
@@ -236,21 +289,79 @@ def inner_level(away: float, r: float, radius: float, held: float) -> float:
     return inf
 
 
-def distance_turns(path: Path, duration: float) -> tuple[bool, float, float, float]:
-    """Whether the distance from 0 falls at first, and the three times at which it turns, `duration` if missing.
+def distance_turns(path: Path, end: float) -> tuple[bool, float, float, float]:
+    """Whether the distance from 0 falls at first, and the three times at which it turns, `end` if missing.
 
-    They are the roots of p(t)·v(t). A ball that at first neither leaves nor approaches, to rounding, does neither.
+    They are the roots of p(t)·v(t), a cubic. A ball that at first neither leaves nor approaches, to rounding, does
+    neither. A double root, where the distance does not turn, is left out or given twice.
     """
     px, py, vx, vy, gx, gy = path
     outward = dot(px, py, vx, vy)
     speed_squared = length_squared(vx, vy)
     if outward * outward <= APPROACH_ROUNDING_SQUARED * speed_squared * (px * px + py * py):
         outward = 0.0
-    # (p + v·t + g·t²/2)·(v + g·t), by powers of t.
-    drift, half = dot(vx, vy, gx, gy), 0.5 * (gx * gx + gy * gy)
+    # (p + v·t + g·t²/2)·(v + g·t), by powers of t, has this derivative.
+    drift, pull_squared = dot(vx, vy, gx, gy), gx * gx + gy * gy
     bend = speed_squared + px * gx + py * gy
-    turn1, turn2, turn3 = cubic_roots(half, 1.5 * drift, bend, outward, duration)
-    return outward < 0.0, turn1, turn2, turn3
+    still1, still2 = quadratic_roots(1.5 * pull_squared, 3.0 * drift, bend, end)
+    first, second, third = end, end, end
+    count = 0
+    low, value = 0.0, outward
+    # Between two roots of the derivative it only falls or only rises, so a sign that changes tells of one root and no
+    # more. Roots out of the range have been brought to its ends, where the stretches between them are empty.
+    for high in (still1, still2, end):
+        if not high > low:
+            continue
+        value_high, _ = outward_rate(path, high)
+        if (value < 0.0) != (value_high < 0.0):
+            turn = low  # to the bit, where the rate is zero there
+            if value != 0.0:
+                turn = turn_between(path, low, high, value, value_high)
+            if count == 0:
+                first = turn
+            elif count == 1:
+                second = turn
+            else:
+                third = turn
+            count += 1
+        low, value = high, value_high
+    return outward < 0.0, first, second, third
+
+
+def outward_rate(path: Path, time: float) -> tuple[float, float]:
+    """Half the rate of change of the squared distance from 0 at a time, p·v, and its own rate of change.
+
+    Taken from the place and the velocity then, not by powers of the time: where both are small, as at the end of a long
+    flight, so is the rounding.
+    """
+    x, y, wx, wy, gx, gy = path_after(path, time)
+    return x * wx + y * wy, wx * wx + wy * wy + x * gx + y * gy
+
+
+def turn_between(path: Path, low: float, high: float, value_low: float, value_high: float) -> float:
+    """When p·v, which has values of opposite signs at `low` and `high`, is zero in between; as `roots.root_between`."""
+    # Newton starts where the tangent at 0 crosses zero, which is next to a turn that is much nearer to 0 than `high`;
+    # else where a straight line between the ends does.
+    outward, bend = outward_rate(path, 0.0)
+    time = low + (high - low) * (value_low / (value_low - value_high))
+    if bend != 0.0 and low < -outward / bend < high:
+        time = -outward / bend
+    if not low < time < high:
+        time = low + 0.5 * (high - low)
+    step = high - low
+    for _ in range(ROOT_STEPS):
+        value, slope = outward_rate(path, time)
+        # The enclosure shrinks to where the sign still changes.
+        if (value < 0.0) == (value_low < 0.0):
+            low = time
+        else:
+            high = time
+        following = newton_step(time, value, slope, low, high, step)
+        step = following - time
+        time = following
+        if fabs(step) <= ROOT_TOLERANCE * fabs(time):
+            break
+    return time
 
 
 def level_time(path: Path, level: float, low: float, high: float, falls: bool) -> float:
@@ -272,5 +383,21 @@ def level_time(path: Path, level: float, low: float, high: float, falls: bool) -
         guess = -2.0 * c0 / (slope + sqrt(root_squared))
     quartic = Quartic(c4, c3, c2, c1, c0)
     if falls:
-        return base + root_between(quartic, -width, 0.0, False, -guess)
-    return smaller(base + root_between(quartic, 0.0, width, True, guess), high)
+        time = base + root_between(quartic, -width, 0.0, False, -guess)
+    else:
+        time = base + root_between(quartic, 0.0, width, True, guess)
+    return smaller(larger(level_polished(path, level, time), low), high)
+
+
+def level_polished(path: Path, level: float, time: float) -> float:
+    """The time, at which the squared distance is about `level`, after one more step by the place then.
+
+    It takes away the rounding of the quartic of a touch far from where that was set up; nothing for a grazing touch.
+    """
+    x, y = place_on(path, time)
+    outward, bend = outward_rate(path, time)
+    excess = 0.5 * (x * x + y * y - level)
+    # The next step would be that part of this one; where it is not small, the slope is of no use.
+    if fabs(excess * bend) < 0.125 * outward * outward:
+        return time - excess / outward
+    return time

@@ -4,26 +4,31 @@ The ball's centre is p, relative to the shape's, its velocity v. With b = p·v a
 the centre at the distance |k|/|v|, so it is |p| = R away at the times (-b ± √(v²R² - k²))/v². That discriminant loses
 no digits for a ball that is far away, unlike b² - v²(p² - R²), and neither of the two forms of each root does: the
 other one is (p² - R²)/(-b ∓ √(v²R² - k²)), since the product of the two roots is (p² - R²)/v².
+
+A time depends on the path and the shape alone. `duration`, which may be infinite, leaves out what is later; where it
+spares the computing of a time, it does so for what keeps clear of a touch by more than rounding (`GRAZING`).
 """
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import sqrt
 
-from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_CONTINUOUS
+from carom.constants import APPROACH_ROUNDING_SQUARED, END_DEPTH_CONTINUOUS, GRAZING
 from carom.geometry.figures import CentredArc
 from carom.geometry.path import Path
-from carom.geometry.reach import touch_in_sector, touch_in_slab, touches_arc
-from carom.geometry.vector import cross, dot, length_squared, smaller
+from carom.geometry.reach import sector_touch_within, slab_touch_within, touch_in_sector, touches_arc
+from carom.geometry.roots import time_within
+from carom.geometry.vector import cross, dot, length_squared
 
 
 def reach_disc(path: Path, reach: float, duration: float) -> float | None:
     """When the centre comes as near as `reach` to 0 from outside."""
     px, py, vx, vy, _, _ = path
     b = dot(px, py, vx, vy)
-    height = px * px + py * py - reach * reach
+    away = px * px + py * py
+    height = away - reach * reach
     # The squared distance is convex, so it stays above its tangent at the start.
-    if b >= 0.0 or height + 2.0 * b * duration > 0.0:
+    if b >= 0.0 or height + 2.0 * b * duration > GRAZING * away:
         return None
     speed_squared = length_squared(vx, vy)
     k = cross(px, py, vx, vy)
@@ -35,10 +40,7 @@ def reach_disc(path: Path, reach: float, duration: float) -> float | None:
         if b * b <= APPROACH_ROUNDING_SQUARED * speed_squared * (reach * reach):
             return None
         return 0.0
-    time = height / (sqrt(root_squared) - b)
-    if time <= duration:
-        return time
-    return None
+    return time_within(height / (sqrt(root_squared) - b), duration)
 
 
 def reach_bowl(path: Path, room: float, duration: float) -> float | None:
@@ -46,21 +48,22 @@ def reach_bowl(path: Path, room: float, duration: float) -> float | None:
     if stays_within(path, room, duration):
         return None
     time = bowl_time(path, room)
-    if time <= duration:
-        return time
-    return None
+    if time is None:
+        return None
+    return time_within(0.0 + time, duration)
 
 
 def stays_within(path: Path, room: float, duration: float) -> bool:
-    """Whether the centre is nearer than `room` to 0 at the end, so that it has not got as far before."""
+    """Whether the centre is clearly nearer than `room` to 0 at the end, so that it has not got as far before."""
     px, py, vx, vy, _, _ = path
     # The squared distance is convex: once it has risen through a level it stays above.
     rise = (2.0 * dot(px, py, vx, vy) + length_squared(vx, vy) * duration) * duration
-    return room > 0.0 and px * px + py * py + rise < room * room
+    away, limit = px * px + py * py, room * room
+    return room > 0.0 and away + rise < limit - GRAZING * (away + limit)
 
 
-def bowl_time(path: Path, room: float) -> float:
-    """When the centre comes as far as `room` from 0, however late; infinite for a ball at rest.
+def bowl_time(path: Path, room: float) -> float | None:
+    """When the centre comes as far as `room` from 0, however late; None for a ball at rest.
 
     A ball that touches and slides goes on into the circle, so its impact is at 0. One that touches, to rounding or
     deeper, and leaves so flatly that it never gets clear, is as deep again after a chord.
@@ -68,7 +71,7 @@ def bowl_time(path: Path, room: float) -> float:
     px, py, vx, vy, _, _ = path
     b, speed_squared = dot(px, py, vx, vy), length_squared(vx, vy)
     if not speed_squared > 0.0:
-        return inf
+        return None
     height = px * px + py * py
     root_squared = -1.0
     if room > 0.0:
@@ -103,33 +106,29 @@ def reach_arc(path: Path, radius: float, arc: CentredArc, duration: float) -> fl
         if time is None:
             return None
         # It goes inwards until it is nearest to the centre, at p·v + v²·t = 0; then it is a matter of the inside.
-        nearest = smaller(duration, -b / speed_squared)
-        touch = touch_in_sector(0.0 + time, nearest, path, radius, arc)
+        touch = touch_in_sector(0.0 + time, -b / speed_squared, path, radius, arc)
         if touch is not None:
-            return touch
+            return time_within(0.0 + touch, duration)
     else:
         clear = room > 0.0 and away < room * room
         if clear and stays_within(path, room, duration):
             return None
         if clear or b >= 0.0 or touches_arc(px, py, radius, arc):
             late = bowl_time(path, room)
-            if not late <= duration:
+            if late is None:
                 return None
-            return touch_in_sector(late, duration, path, radius, arc)
+            return sector_touch_within(0.0 + late, path, radius, arc, duration)
     # It passes through the gap, or passes already. It may touch the inside on its way out, or where it enters the
     # sector after it has come all but clear, as a ball does that slides from a wall into a bowl. Its line passes the
     # centre at |k|/|v|; if that is more than `room`, it is least deep there, at the root 0.
     k = cross(px, py, vx, vy)
     room_squared, shallow = room * room, room + END_DEPTH_CONTINUOUS * radius
-    if room <= 0.0 or not k * k <= speed_squared * (shallow * shallow):
+    if not speed_squared > 0.0 or room <= 0.0 or not k * k <= speed_squared * (shallow * shallow):
         return None
     root = 0.0
     if speed_squared * room_squared > k * k:
         root = sqrt(speed_squared * room_squared - k * k)
-    if not root - b <= duration * speed_squared:
-        return None
-    across = (root - b) / speed_squared
-    return touch_in_sector(across, duration, path, radius, arc)
+    return sector_touch_within((root - b) / speed_squared, path, radius, arc, duration)
 
 
 def reach_line(path: Path, extent: float, radius: float, duration: float, slop: float) -> float | None:
@@ -142,6 +141,4 @@ def reach_line(path: Path, extent: float, radius: float, duration: float, slop: 
     time = 0.0
     if gap > 0.0:
         time = gap / (0.0 - rate)
-    if not time <= duration:
-        return None
-    return touch_in_slab(0.0 + time, duration, path, extent, slop, radius)
+    return slab_touch_within(time, path, extent, slop, radius, duration)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from carom.constants import LEAST_SQUARE
+
 
 class Path(NamedTuple):
     """A parabola: t seconds from now a ball's centre is at p + v·t + g·t²/2.
@@ -31,6 +33,11 @@ class Turning(NamedTuple):
     pivot_vx: float
     pivot_vy: float
     spin: float
+
+
+def is_straight(path: Path) -> bool:
+    """Whether the path has no acceleration, or so little that its square is lost to underflow."""
+    return path.gx * path.gx + path.gy * path.gy < LEAST_SQUARE
 
 
 def place_on(path: Path, time: float) -> tuple[float, float]:

@@ -2,21 +2,21 @@
 
 A segment is met within its slab, an arc within its sector, each reaching a little past the ends. A ball that touches
 outside of it, and comes into it while it overlaps by no more than `END_DEPTH_CONTINUOUS` of its radius, touches then;
-one that overlaps more is passing. Both functions return the time of the touch, or None.
+one that overlaps more is passing. The functions return the time of the touch, or None.
 """
 
 from __future__ import annotations
 
-from math import fabs, sqrt
+from math import fabs, inf, sqrt
 
 from carom.constants import END_DEPTH_CONTINUOUS
 from carom.geometry.figures import CentredArc
 from carom.geometry.path import Path, place_on
-from carom.geometry.roots import falling_time
+from carom.geometry.roots import falling_time, time_within
 from carom.geometry.vector import cross, dot
 
 
-def touch_in_slab(time: float, duration: float, path: Path, extent: float, slop: float, radius: float) -> float | None:
+def touch_in_slab(time: float, path: Path, extent: float, slop: float, radius: float) -> float | None:
     """When a ball that touches a segment's line at `time` touches the segment of length `extent`, or None.
 
     Its path is seen from the segment: x is along it, from its first end, and y off its line.
@@ -36,9 +36,21 @@ def touch_in_slab(time: float, duration: float, path: Path, extent: float, slop:
     later = time + entry
     # It touches there if it overlaps by no more than the end depth and goes on approaching, else it is passing.
     gap = side - radius + (rate + 0.5 * acceleration * later) * later
-    if later <= duration and -END_DEPTH_CONTINUOUS * radius <= gap and rate + acceleration * later < 0.0:
+    if -END_DEPTH_CONTINUOUS * radius <= gap and rate + acceleration * later < 0.0:
         return later
     return None
+
+
+def slab_touch_within(
+    time: float, path: Path, extent: float, slop: float, radius: float, duration: float
+) -> float | None:
+    """The same, or None if it is later than `duration`."""
+    if not (time <= duration and time < inf):
+        return None
+    touch = touch_in_slab(time, path, extent, slop, radius)
+    if touch is None:
+        return None
+    return time_within(0.0 + touch, duration)
 
 
 def in_wide_sector(ax: float, ay: float, bx: float, by: float, x: float, y: float, margin: float) -> bool:
@@ -73,10 +85,11 @@ def touches_arc(px: float, py: float, radius: float, arc: CentredArc) -> bool:
     return in_arc(arc, px, py, 1.0)
 
 
-def touch_in_sector(time: float, duration: float, path: Path, radius: float, arc: CentredArc) -> float | None:
+def touch_in_sector(time: float, until: float, path: Path, radius: float, arc: CentredArc) -> float | None:
     """When a ball that touches an arc's circle at `time` touches the arc itself, or None.
 
-    From then on it goes in one direction, in or out, until `duration` at most.
+    From then on it goes in one direction, in or out, up to the time `until`. It may cross both rays; the one that it
+    crosses first counts.
     """
     x, y = place_on(path, time)
     if in_arc(arc, x, y, 1.0):
@@ -87,6 +100,7 @@ def touch_in_sector(time: float, duration: float, path: Path, radius: float, arc
     # How far it is outside of a ray's line, times r, falls through zero as it comes in; quadratic in time, as its way.
     past_start = falling_time(-slop * r - cross(ax, ay, x, y), -cross(ax, ay, wx, wy), -cross(ax, ay, gx, gy))
     past_end = falling_time(-slop * r - cross(x, y, bx, by), -cross(wx, wy, bx, by), -cross(gx, gy, bx, by))
+    touch = -1.0
     for entry in (past_start, past_end):
         if entry is not None:
             later = time + entry
@@ -94,6 +108,19 @@ def touch_in_sector(time: float, duration: float, path: Path, radius: float, arc
             overlap = radius - fabs(sqrt(x * x + y * y) - r)
             # It is on a line of the sector, so rounding would decide unless the sector is wider here.
             inside = in_arc(arc, x, y, 2.0)
-            if later <= duration and inside and fabs(overlap) <= END_DEPTH_CONTINUOUS * radius:
-                return later
-    return None
+            sooner = touch < 0.0 or later < touch
+            if sooner and later <= until and inside and fabs(overlap) <= END_DEPTH_CONTINUOUS * radius:
+                touch = later
+    if touch < 0.0:
+        return None
+    return touch
+
+
+def sector_touch_within(time: float, path: Path, radius: float, arc: CentredArc, duration: float) -> float | None:
+    """The same on its way for good in one direction, or None if it is later than `duration`."""
+    if not (time <= duration and time < inf):
+        return None
+    touch = touch_in_sector(time, inf, path, radius, arc)
+    if touch is None:
+        return None
+    return time_within(0.0 + touch, duration)

@@ -8,6 +8,9 @@ from __future__ import annotations
 
 from math import sqrt
 
+from carom.constants import GREATEST_SQUARE, LEAST_SQUARE
+from carom.geometry.vector import dot, unit
+
 
 def approach_at_contact(s: float, g_n: float, setback: float) -> float:
     """The approach `s` as it was when the ball touched, before it fell, or rose, `setback` too far along the normal.
@@ -54,6 +57,46 @@ def reflected(
     rx = e * (wx - turned * nx) + kick * nx
     ry = e * (wy - turned * ny) + kick * ny
     return surface_vx + rx, surface_vy + ry, gain
+
+
+def rebounded(
+    vx: float,
+    vy: float,
+    surface_vx: float,
+    surface_vy: float,
+    px: float,
+    py: float,
+    e: float,
+    kick: float,
+    total: bool,
+) -> tuple[float, float, float]:
+    """What `reflected` returns for a ball at its very touch, by a normal p of any length in place of the unit normal.
+
+    p is the vector from the touched place to the ball's centre, or along it, as from a centre of curvature. With w the
+    velocity relative to the surface, `v - (1+e)·(w·p)/(p·p)·p` keeps the speed at e = 1 without the rounding of a unit
+    vector. A share of p that is off by a unit in the last place still changes the speed, by the same again and again
+    where p·p is next to a power of two and the places round it are finer on one side: so the normal part that is found
+    to be left over is taken away too. Without a normal, the velocity stays.
+    """
+    squared = px * px + py * py
+    if not LEAST_SQUARE < squared < GREATEST_SQUARE:
+        direction = unit(px, py)
+        if direction is None:
+            return vx, vy, 0.0
+        px, py = direction
+        squared = px * px + py * py
+    size = sqrt(squared)
+    along = dot(vx - surface_vx, vy - surface_vy, px, py)
+    # By the total rule the velocity is mirrored first, and then scaled.
+    mirrored = along if total else e * along - kick * size
+    share = (mirrored + along) / squared
+    x, y = vx - share * px, vy - share * py
+    rest = (mirrored + dot(x - surface_vx, y - surface_vy, px, py)) / squared
+    x, y = x - rest * px, y - rest * py
+    if total:
+        push = kick / size
+        x, y = surface_vx + e * (x - surface_vx) + push * px, surface_vy + e * (y - surface_vy) + push * py
+    return x, y, kick - (e * along + along) / size
 
 
 def exchanged(u1: float, u2: float, m1: float, m2: float, e: float) -> tuple[float, float]:

@@ -1,14 +1,14 @@
 """Real roots of polynomials within a stretch of time, none lost and none made up.
 
-A quadratic is solved in closed form, without cancellation. The roots of a cubic are enclosed between those of its
-derivative, a quadratic, and so on up: between two neighbouring roots of the derivative a polynomial is monotone, so its
-sign at the two ends tells whether there is a root, and safeguarded Newton finds it. Coefficients come highest first.
+A quadratic is solved in closed form, without cancellation. The roots of higher ones are enclosed between those of their
+derivatives: between two neighbouring roots of the derivative a polynomial is monotone, so its sign at the two ends
+tells whether there is a root, and safeguarded Newton finds it. Coefficients come highest first.
 Source: Press et al., Numerical Recipes, 3rd ed., 5.6 (quadratics) and 9.4 (rtsafe).
 """
 
 from __future__ import annotations
 
-from math import copysign, fabs, sqrt
+from math import copysign, fabs, inf, sqrt
 from typing import NamedTuple
 
 from carom.constants import ROOT_STEPS, ROOT_TOLERANCE
@@ -23,6 +23,13 @@ class Quartic(NamedTuple):
     c2: float
     c1: float
     c0: float
+
+
+def time_within(time: float, duration: float) -> float | None:
+    """The time, if it is no later than `duration`, which may be infinite; None for one later, infinite or NaN."""
+    if time <= duration and time < inf:
+        return time
+    return None
 
 
 def falling_time(height: float, rate: float, acceleration: float) -> float | None:
@@ -47,19 +54,19 @@ def falling_time(height: float, rate: float, acceleration: float) -> float | Non
     return 2.0 * height / (root - rate)
 
 
-def quadratic_roots(c2: float, c1: float, c0: float, duration: float) -> tuple[float, float]:
-    """The two real roots of c2·t² + c1·t + c0 in ascending order, each brought into [0, duration].
+def quadratic_roots(c2: float, c1: float, c0: float, end: float) -> tuple[float, float]:
+    """The two real roots of c2·t² + c1·t + c0 in ascending order, each brought into [0, end].
 
-    Both are `duration` where it has none, or a double one, where its sign does not change. The second root of a line
+    Both are `end` where it has none, or a double one, where its sign does not change. The second root of a line
     counts as infinitely early or late.
     """
     discriminant = c1 * c1 - 4.0 * c2 * c0
     if not discriminant > 0.0:
-        return duration, duration
+        return end, end
     # The sum of two numbers of one sign loses no digits; the other root follows from the product of both, c0/c2.
     half_sum = -0.5 * (c1 + copysign(sqrt(discriminant), c1))
-    first = clipped_ratio(half_sum, c2, duration)
-    second = clipped_ratio(c0, half_sum, duration)
+    first = clipped_ratio(half_sum, c2, end)
+    second = clipped_ratio(c0, half_sum, end)
     if first <= second:
         return first, second
     return second, first
@@ -74,38 +81,6 @@ def clipped_ratio(numerator: float, denominator: float, limit: float) -> float:
     if numerator >= denominator * limit:
         return limit
     return numerator / denominator
-
-
-def cubic_roots(c3: float, c2: float, c1: float, c0: float, duration: float) -> tuple[float, float, float]:
-    """The times in [0, duration], in order, at which the cubic changes sign; `duration` for each one missing.
-
-    A double root, where the sign does not change, is left out or given twice.
-    """
-    turn1, turn2 = quadratic_roots(3.0 * c3, 2.0 * c2, c1, duration)
-    first, second, third = duration, duration, duration
-    count = 0
-    low, value = 0.0, c0
-    # Between two turns it only falls or only rises, so a sign that changes tells of one root and no more. Turns out of
-    # the range have been brought to its ends, where the stretches between them are empty.
-    for high in (turn1, turn2, duration):
-        if not high > low:
-            continue
-        value_high = ((c3 * high + c2) * high + c1) * high + c0
-        if (value < 0.0) != (value_high < 0.0):
-            root = low  # to the bit, where the cubic is zero there
-            if value != 0.0:
-                # Newton starts where a straight line between the ends crosses zero.
-                guess = low + (high - low) * (value / (value - value_high))
-                root = root_between(Quartic(0.0, c3, c2, c1, c0), low, high, value < 0.0, guess)
-            if count == 0:
-                first = root
-            elif count == 1:
-                second = root
-            else:
-                third = root
-            count += 1
-        low, value = high, value_high
-    return first, second, third
 
 
 def root_between(quartic: Quartic, low: float, high: float, rising: bool, guess: float) -> float:
@@ -138,9 +113,12 @@ def root_between(quartic: Quartic, low: float, high: float, rising: bool, guess:
 def newton_step(time: float, value: float, slope: float, low: float, high: float, step: float) -> float:
     """Where to look next for the root between `low` and `high` of what has a value and a slope at `time`.
 
-    Newton's step, which ends at the enclosure's ends. One that is not half as long as the last `step` gives way to
-    halving the enclosure, so the search always ends.
+    Newton's step, which ends at the enclosure's ends. One that is not half as long as the last `step`, or that leads
+    out of the enclosure from its end, gives way to halving the enclosure, so the search always ends, and at a root.
     """
     if 2.0 * fabs(value) < fabs(slope * step):
-        return smaller(larger(time - value / slope, low), high)
+        way = value / slope
+        following = smaller(larger(time - way, low), high)
+        if following != time or fabs(way) <= ROOT_TOLERANCE * fabs(time):
+            return following
     return low + 0.5 * (high - low)

@@ -15,9 +15,10 @@ below 0 and falling, the crossing is enclosed, and safeguarded Newton finds it t
 
 The search ends. If f'' <= M' too, a step of length τ from f' < 0 leaves f + ε <= (M + M')·τ²/2, so below ε, with the
 gap below 0, if τ < √(2ε/(M + M')); and from f' >= 0 each step is at least √(2ε/M) long. So there are no more than
-2 + duration·√((M + M')/(2ε)) steps; near a crossing each squares the error. A gap below 0 that has to rise first is
-followed likewise, with the opposite signs. Source: Mirtich, Impulse-based Dynamic Simulation (1996), 2.3, for the first
-order.
+2 + duration·√((M + M')/(2ε)) steps; near a crossing each squares the error. V and A, and so the steps and the last bits
+of what they lead to, depend on the `duration`; without end there is no bound, and nothing is found. A gap below 0 that
+has to rise first is followed likewise, with the opposite signs. Source: Mirtich, Impulse-based Dynamic Simulation
+(1996), 2.3, for the first order.
 """
 
 from __future__ import annotations

@@ -1,48 +1,101 @@
-"""The row of a ball's flight in a span of a substep (continuous)."""
+"""The row of a ball's flight: the path that it is on since its last event, and what comes next (continuous)."""
 
 from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_of, f8, i4
+from carom.rows.tables import dtype_of, f8, i4, i8
 
-# What comes next in a ball's flight.
+# What comes next in a ball's flight. Of events of one ball at one instant the greatest comes first.
 NOTHING = 0
-LOOK = 1  # it is filed anew and looks around anew
-LEAVE = 2  # it comes to the end of the segment that it rests on
-HIT_SHAPE = 3
-HIT_BALL = 4
+LOOK = 1  # it looks farther ahead, and is filed anew; its path stays what it is
+TICK = 2  # it is put back onto the bent or moving shape along which it slides, or its island is solved
+STOP = 3  # friction has taken its speed
+SLEEP = 4
+CLEAR = 5  # it has come off a shape that it passed
+LEAVE = 6  # it comes to the end of the shape that it rests on
+EXIT_SHAPE = 7  # it leaves a sensor
+EXIT_BALL = 8
+HIT_SHAPE = 9
+HIT_BALL = 10
 
-# How a ball takes part in a span.
+# How a ball takes part.
 FLYING = 0
 ASLEEP = 1
-STALLED = 2  # it has reached `max_impacts` and stands still for the rest of the substep
 
 NO_PLACE = -1  # of a ball that is not in the queue of events
 NO_BALL = -1
+NO_TICK = 1e300  # later than any instant of a world
 
 
-class FlightRow(TypedDict):
-    """A ball's flight in a span of a substep (continuous)."""
+class CourseRow(TypedDict):
+    """What a flight is: where a ball was and how it moved at an instant, and its acceleration since.
 
-    time: f8  # of the span, at which the ball is where its row says
+    While a step is made, the rows of the balls hold place and velocity at that instant; between two steps these are
+    here, and the balls' rows show where the balls are.
+    """
+
+    id: i8  # of the ball
+    time: f8  # the instant at which it began
+    low: f8
+    x: f8
+    y: f8
+    vx: f8
+    vy: f8
     ax: f8
     ay: f8
-    energy: f8  # per mass, while it slides along shapes at rest
-    patience: f8  # until when it does not look for impacts with balls that are patient too
+    energy: f8  # per mass, of a ball of an island, as of its last solve
+    surplus: f8  # per mass, what it has won since then
+    tick_time: f8  # the instant at which its island is solved next; NO_TICK if it is in none
+    tick_low: f8
+    slow_for: f8  # seconds for which it had been slower than the sleep speed when it began
+    met_time: f8  # the instant of its last impact
+    met_low: f8
+    # what was shown of it last; where the ball's row is otherwise, it was changed from outside
+    shown_x: f8
+    shown_y: f8
+    shown_vx: f8
+    shown_vy: f8
+    short: i4  # impacts since then that came too soon after one another to be told apart
+    quiet: i4  # ticks of its island, one after the other, in which it hardly moved
+    kind: i4
+
+
+class FlightRow(CourseRow):
+    """A ball's flight, with what comes next in it, where the ball is filed, and what a step that fails goes back to."""
+
+    # what comes next
     event_time: f8
-    bin_x: f8
-    bin_y: f8
+    event_low: f8
+    event_key: i8  # of events at one instant the least comes first
     event: i4
     partner: i4
     partner_version: i4
     version: i4  # changes with the path
     place: i4  # in the queue
-    kind: i4
-    impacts: i4
+    row: i4
+    # where it is filed
+    bin_x: f8
+    bin_y: f8
     level: i4
     cell: i4
     next: i4  # in the same cell
+    body: i4  # one more than its place in the island that is being solved; 0 if it is in none
+    # what a step that fails goes back to
+    impacts: i4  # in this step
+    kept: i8  # the step in which it was copied last
+    still_time: f8
+    relation: i4
+    asleep: i4
+    # what was seen before the first step of a call
+    seen_x: f8
+    seen_y: f8
+    seen_vx: f8
+    seen_vy: f8
+    seen_still: f8
+    seen_relation: i4
+    seen_asleep: i4
 
 
+COURSE = dtype_of(CourseRow)
 FLIGHT = dtype_of(FlightRow)

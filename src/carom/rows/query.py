@@ -91,6 +91,7 @@ class AimRow(TypedDict):
 
     ball: i8
     shape: i8
+    time: f8
     start: f8x2
     ghost: f8x2
     distance: f8

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_of, i4
+from carom.rows.tables import dtype_of, f8, i4
 
 NO_RELATION = -1
 
@@ -13,11 +13,13 @@ PASSING = 0  # the ball passes a segment, arc or gate, whichever way it leaves
 INSIDE_SHAPE = 1  # the ball and a shape overlap, and one of them is a sensor
 INSIDE_BALL = 2  # the same for two balls
 LASTING = 3  # the ball rests on a shape, rolls on it or slides along it (continuous)
+LYING = 4  # two balls are pressed together, and both have the relation to each other (continuous)
 
 
 class RelationRow(TypedDict):
     """A row of `RELATION`."""
 
+    force: f8  # with which the other presses the ball, over the tick of its island; 0 outside of islands
     kind: i4
     ball: i4
     other: i4

@@ -104,6 +104,10 @@ class ShapeRow(TypedDict):
     orientation_before: f8
     pivot_before_x: f8
     pivot_before_y: f8
+    # since when it moves as it does (continuous), and where orientation_before and pivot_before were
+    since: f8
+    since_low: f8
+    time_left_before: f8
 
 
 SHAPE = dtype_of(ShapeRow)

@@ -22,6 +22,8 @@ NEEDS_PAIRS = 2  # for pairs of balls, cells or members: `state["wanted_*"]`
 NOT_FINITE = 3  # the state is as it was before the step
 REFUSED = 4  # a radius, mass, elasticity or friction was made what it may not be through a view
 HAS_STRAYS = 5  # balls that left the bounds are to be removed; the step is complete
+PAUSE = 6  # continuous: nothing, but a chance for Ctrl-C; call again
+TOO_MANY_IMPACTS = 7  # continuous: a ball has reached `max_impacts`; the step ends at that instant
 
 # Where a step is; a kernel that ran out of room goes on from here.
 BEGIN = 0
@@ -31,9 +33,11 @@ FIND_PAIRS = 3
 PAIRS = 4
 FINISH = 5
 END = 6
-SPAN = 7  # continuous: shapes and balls are set going
+TAKE_UP = 7  # continuous: flights go on, or begin anew where something was changed
 FORESEE = 8
 FLY = 9
+SHOW = 10
+NOTE = 11  # what balls in flight have begun to pass is noted, because something was changed
 
 
 class StateRow(TypedDict):
@@ -65,6 +69,7 @@ class StateRow(TypedDict):
     remove_strays: i8
     # time
     time: f8
+    time_low: f8  # what `time` lacks
     next_id: i8
     # statistics
     box_tests: i8
@@ -73,7 +78,7 @@ class StateRow(TypedDict):
     strays: i8
     overlaps: i8
     sleeping: i8
-    stalled: i8
+    held: i8
     squeezed: i8
     slowed: i8
     # counts of rows in use
@@ -94,10 +99,18 @@ class StateRow(TypedDict):
     stage: i8
     stage_entered: i8  # whether what the stage does once is done
     substep: i8
-    span_begin: f8  # of the substep that is done when the span begins, in seconds
-    span: f8  # its length: the substep, or until the next shape stops or arrives
+    step_number: i8  # of this world's calls, steps counted; marks what a step has changed
+    running: i8  # whether this is not the first step of a call, so that nothing was changed from outside
+    foreseen: i8  # whether the queue holds what comes next
+    now: f8  # the instant that is dealt with (continuous)
+    now_low: f8
+    horizon: f8  # the instant at which the step ends
+    horizon_low: f8
+    change: f8  # the instant at which the next shape stops or arrives; infinite if none does
+    change_low: f8
+    events: i8  # since the kernel was called
+    watched: i8  # one more than the ball whose first impact ends the step; 0 if none's does (continuous)
     queued: i8
-    swept: i8  # whether `pairs` are all that may meet in the span, if nothing changes a path
     binned: i8
     bin_left: f8
     bin_bottom: f8

@@ -53,7 +53,7 @@ class WorldDescriptor(Descriptor):
     sleep_time: NonNegative = _setting("sleep_time")
     rest_speed: NonNegative | None = _setting("rest_speed")
     max_speed: Positive | None = _setting("max_speed")
-    max_impacts: Impacts = _setting("max_impacts")
+    max_impacts: Impacts | None = _setting("max_impacts")
     bounds: Sides | None = _setting("bounds")
     remove_strays: bool = _setting("remove_strays")
 

@@ -60,14 +60,15 @@ class Neighbor:
 
 @dataclass(frozen=True, slots=True)
 class Aim:
-    """A ball's straight path up to its next impact, and what follows from that.
+    """A ball's path up to its next impact, and what follows from that.
 
     Attributes:
         ball: The ball.
         shape: The shape or ball that it meets.
+        time: The world's time of the impact.
         start: Where the ball's centre is.
         ghost: Where its centre is at the impact.
-        distance: How far that is.
+        distance: How far that is, as the crow flies.
         point: Where they touch.
         normal: Unit vector there, from the shape to the ball.
         direction: Unit vector in which the ball goes on; None if it stands still.
@@ -78,6 +79,7 @@ class Aim:
 
     ball: Ball
     shape: Shape | Ball
+    time: float
     start: Vector
     ghost: Vector
     distance: float
@@ -169,6 +171,7 @@ class Aims(Answers[Aim | None]):
         return Aim(
             _member(world, row["ball"]),
             _member(world, row["shape"]),
+            float(row["time"]),
             vector(row["start"]),
             vector(row["ghost"]),
             float(row["distance"]),

@@ -14,7 +14,7 @@ from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import Motion
-from carom.rows.state import StateRow
+from carom.rows.state import DISCRETE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -24,6 +24,7 @@ from carom.turns import Turn, alone
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
+from carom.world.kernels.continuous.frames import is_any_changed
 from carom.world.kernels.step.rollback import was_changed
 from carom.world.link import Link
 from carom.world.removal import remove_rows
@@ -329,4 +330,6 @@ class Members:
         if state["wake"] or not state["sleeping"]:
             return bool(state["wake"])
         state["balls"] = self._arrays.balls.count
+        if state["detection"] != DISCRETE:
+            return bool(is_any_changed(state, self._arrays.balls.rows, self._arrays.flights))
         return was_changed(state, self._arrays.balls.rows, self._arrays.saved)

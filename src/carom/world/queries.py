@@ -27,6 +27,7 @@ from carom.spelling import spelled
 from carom.turns import alone
 from carom.typing import OnePair, Pairs, Vector
 from carom.world.answers import Aim, Aims, CastHit, CastHits, Contacts, InBoxes, Neighbor, Neighbors
+from carom.world.foresight import next_impacts, note_times
 from carom.world.kernels.queries.aiming import aim_many
 from carom.world.kernels.queries.casting import cast_many
 from carom.world.kernels.queries.nearest import nearest_many
@@ -312,15 +313,20 @@ class Queries:
     # -- a pool player's line ----------------------------------------------------------------------------------------
 
     @overload
-    def aim(self, ball: Ball, direction: OnePair) -> Aim | None: ...
+    def aim(self, ball: Ball, direction: OnePair | None = None) -> Aim | None: ...
     @overload
     def aim(self, ball: Ball, direction: Pairs) -> Aims: ...
     @overload
-    def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aims: ...
+    def aim(self, ball: Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs | None = None) -> Aims: ...
     @spelled
     @alone
-    def aim(self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs) -> Aim | Aims | None:
-        """The straight path of a ball up to its next impact and where both go then, or None if it meets nothing.
+    def aim(
+        self, ball: Ball | Sequence[Ball] | NDArray[np.int64], direction: OnePair | Pairs | None = None
+    ) -> Aim | Aims | None:
+        """The path of a ball up to its next impact and where both go then, or None if it meets nothing.
+
+        Without a direction, which the continuous mode allows, that is the film's own next impact: what `step` will say,
+        to the bit, with gravity, friction and all that moves. With one it is a pool player's line, which is straight.
 
         It meets what it would meet in a step (masks hold, sensors do not count, a gate stops it from the closed side),
         however far away. Everything else is taken to be at rest, and the ball to come with the velocity `direction`:
@@ -329,10 +335,10 @@ class Queries:
 
         Args:
             ball: A ball of this world; or a list of balls, or an array of ids of shape (n,).
-            direction: Where it is shot, a pair that is not (0, 0); or an array of shape (n, 2).
+            direction: Where it is shot, a pair that is not (0, 0); or an array of shape (n, 2). None for as it flies.
 
         Raises:
-            InvalidArgument: `ball` is no ball of this world, or `direction` has no direction.
+            InvalidArgument: `ball` is no ball of this world; `direction` has none, or is None in the discrete mode.
 
         >>> import carom
         >>> world = carom.World()
@@ -342,6 +348,9 @@ class Queries:
         (True, (8.0, 0.0), None, (1.0, 0.0))
         """
         indices = self._indices(ball)
+        if direction is None:
+            foreseen = Aims.of(self._world, next_impacts(self._world, np.atleast_1d(indices)))
+            return foreseen if isinstance(indices, np.ndarray) else foreseen._item(foreseen.view(np.ndarray)[0])
         ways = _pairs("direction", direction)
         _check_lengths({"ball": indices, "direction": ways})
         if not np.any(ways, axis=-1).all():
@@ -359,6 +368,7 @@ class Queries:
         door.load(aim_many)(
             queries, casts, found, indices, ways, arrays.shapes.used, arrays.balls.used, total, aims.view(np.ndarray)
         )
+        note_times(aims.view(np.ndarray), ways, self._world.time)
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
 
     def _indices(self, ball: Any) -> int | NDArray[np.int64]:

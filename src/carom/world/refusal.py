@@ -2,23 +2,37 @@
 
 from __future__ import annotations
 
-from carom.errors import InvalidArgument, NonFiniteState
+from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.rows.ball import OF_WORLD
-from carom.rows.state import NOT_FINITE, REFUSED
+from carom.rows.state import NOT_FINITE, REFUSED, TOO_MANY_IMPACTS
 from carom.rows.tables import Rows
 from carom.world.kernels.step.rollback import is_measured, is_sound
 from carom.world.tables import Arrays
 
 
-def refusal(status: int, arrays: Arrays) -> InvalidArgument | NonFiniteState:
-    """The exception for a step that came back with `status`; everything is as it was before the step."""
+def refusal(status: int, arrays: Arrays) -> InvalidArgument | NonFiniteState | ImpactLimit:
+    """The exception for a step that came back with `status`.
+
+    Everything is as it was before the step, but where a ball had too many impacts: there the step has ended.
+    """
     balls = arrays.balls.used
+    if status == TOO_MANY_IMPACTS:
+        return _too_many_impacts(arrays)
     if status == REFUSED:
         return _not_allowed(balls)
     assert status == NOT_FINITE
     bad = balls[[not (is_sound(row) and is_measured(row)) for row in balls]]
     which = f"balls {_ids(bad)} are not finite" if len(bad) else _overflowed(arrays)
     return NonFiniteState(f"{which}; the world is as it was before the step")
+
+
+def _too_many_impacts(arrays: Arrays) -> ImpactLimit:
+    """The exception that names the balls that have reached `max_impacts`, and when."""
+    state, flights = arrays.states[0], arrays.flights[: arrays.balls.count]
+    most, time = int(state["max_impacts"]), float(state["time"])
+    reached = arrays.balls.used[(flights["kept"] == state["step_number"]) & (flights["impacts"] >= most)]
+    message = f"balls {_ids(reached)} have had max_impacts={most} impacts in a step, which ended at {time!r} s"
+    return ImpactLimit(message, reached["id"].tolist(), time)
 
 
 def _not_allowed(balls: Rows) -> InvalidArgument:

@@ -10,11 +10,11 @@ from carom.rows.hit import EXIT, HIT_ROW
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
 from carom.rows.tables import Numbered
 from carom.world.kernels.step.hits import write_hit
-from carom.world.kernels.step.relations import add_relation
+from carom.world.kernels.step.relations import add_relation, is_of_balls
 from carom.world.tables import Arrays
 
-#: A relation outside of the pool: kind, row of the ball, row of the other.
-Relation = tuple[int, int, int]
+#: A relation outside of the pool: kind, row of the ball, row of the other, force.
+Relation = tuple[int, int, int, float]
 
 
 def relations_in_order(arrays: Arrays) -> list[Relation]:
@@ -26,7 +26,7 @@ def relations_in_order(arrays: Arrays) -> list[Relation]:
             index = int(balls[i]["relation"])
             while index != NO_RELATION:
                 relation: RelationRow = arrays.relations[index]
-                found.append((int(relation["kind"]), int(i), int(relation["other"])))
+                found.append((int(relation["kind"]), int(i), int(relation["other"]), float(relation["force"])))
                 index = int(relation["next"])
     return found
 
@@ -38,8 +38,10 @@ def set_relations(arrays: Arrays, relations: list[Relation]) -> None:
     state["free_relation"] = NO_RELATION
     arrays.balls.used["relation"] = NO_RELATION
     arrays.extend_relations(len(relations))
-    for kind, ball, other in reversed(relations):
-        add_relation(state, arrays.relations, arrays.balls.rows[ball], ball, kind, other)
+    for kind, ball, other, force in reversed(relations):
+        row = arrays.balls.rows[ball]
+        add_relation(state, arrays.relations, row, ball, kind, other)
+        arrays.relations[row["relation"]]["force"] = force
 
 
 def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
@@ -47,19 +49,22 @@ def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.boo
     kept: list[Relation] = []
     new_ball = np.cumsum(~balls) - 1
     new_shape = np.cumsum(~shapes) - 1
-    for kind, ball, other in relations_in_order(arrays):
-        others, gone = (arrays.balls.used, balls) if kind == INSIDE_BALL else (arrays.shapes.used, shapes)
+    for kind, ball, other, force in relations_in_order(arrays):
+        others, gone = (arrays.balls.used, balls) if is_of_balls(kind) else (arrays.shapes.used, shapes)
         if balls[ball] or gone[other]:
             if kind in (INSIDE_SHAPE, INSIDE_BALL):
                 _exit(arrays, arrays.balls.used[ball], others[other])
         else:
-            moved = new_ball if kind == INSIDE_BALL else new_shape
-            kept.append((kind, int(new_ball[ball]), int(moved[other])))
+            moved = new_ball if is_of_balls(kind) else new_shape
+            kept.append((kind, int(new_ball[ball]), int(moved[other]), force))
     asleep = int(np.count_nonzero(arrays.balls.used["asleep"][balls]))
     arrays.states[0]["sleeping"] -= asleep
     if len(arrays.saved) >= len(balls):
         still = arrays.saved[: len(balls)][~balls]
         arrays.saved[: len(still)] = still
+    if len(arrays.flights) >= len(balls):
+        flying = arrays.flights[: len(balls)][~balls]
+        arrays.flights[: len(flying)] = flying
     arrays.balls.drop(balls)
     arrays.shapes.drop(shapes)
     set_relations(arrays, kept)

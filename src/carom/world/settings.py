@@ -109,6 +109,17 @@ def count(field: Field, most: int, doc: str) -> Setting[int, int]:
     return plain(field, lambda name, value: checks.whole(name, value, 1, most, REASONS[name]), int, doc)
 
 
+def limit(field: Field, most: int, doc: str) -> Setting[int | None, int | None]:
+    """A setting that is a whole number of at least 1, or None."""
+    return plain(
+        field,
+        lambda name, value: None if value is None else checks.whole(name, value, 1, most, REASONS[name]),
+        lambda number: None if number == 0 else int(number),
+        doc,
+        lambda value: 0 if value is None else value,
+    )
+
+
 def choice(field: Field, words: tuple[W, ...], doc: str) -> Setting[W, W]:
     """A setting that is one of several words."""
     return plain(field, lambda name, value: checks.one_of(name, value, words), words.__getitem__, doc, words.index)
@@ -164,8 +175,14 @@ class Settings:
         "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
         " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
     )
-    substeps = count("substeps", MOST_SUBSTEPS, "Motion iterations per step.")
-    iterations = count("iterations", MOST_ITERATIONS, "Collision iterations per substep at most (discrete).")
+    substeps = count(
+        "substeps", MOST_SUBSTEPS, "Motion iterations per step (discrete; without effect in the continuous mode)."
+    )
+    iterations = count(
+        "iterations",
+        MOST_ITERATIONS,
+        "Collision iterations per substep at most (discrete; without effect in the continuous mode).",
+    )
     broad_phase: Setting[BroadPhase, BroadPhase] = choice(
         "broad_phase", BROAD_PHASES, "How pairs are found; all find the same pairs, faster or slower."
     )
@@ -187,10 +204,16 @@ class Settings:
         "rest_speed",
         checks.non_negative,
         "Speed of approach below which an inelastic contact comes to rest; by default twice what gravity adds in a"
-        " substep.",
+        " substep, or, continuous, where a ball that something presses on would rebound by less than a thousandth of"
+        " its radius.",
     )
     max_speed = optional("max_speed", checks.positive, "A faster ball is slowed to this after a response.")
-    max_impacts = count("max_impacts", MOST_IMPACTS, "Impacts of a ball in a substep at most (continuous).")
+    max_impacts = limit(
+        "max_impacts",
+        MOST_IMPACTS,
+        "Impacts of a ball in a step at most (continuous): there the step ends with an `ImpactLimit`. By default there"
+        " is no limit.",
+    )
     bounds = box("Left, bottom, right and top of a box; a ball wholly outside of it is a stray.")
     remove_strays = plain("remove_strays", checks.flag, bool, "Whether strays are removed at the end of the step.")
 

@@ -15,9 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.errors import SnapshotError
+from carom.rows.flight import COURSE
 from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
-from carom.rows.state import STATE
+from carom.rows.state import DISCRETE, STATE
+from carom.rows.tables import Rows
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -27,10 +29,14 @@ from carom.world.removal import relations_in_order, set_relations
 from carom.world.snapshot_check import DERIVED, Contents, check_contents
 
 if TYPE_CHECKING:
+    from carom.world.tables import Arrays
     from carom.world.world import World
 
-MAGIC = b"carom snapshot 1\n"
+MAGIC = b"carom snapshot 2\n"
 HASH_SIZE = 16
+
+#: The statistics that count how much was searched.
+WORK = ("box_tests", "full_tests")
 
 
 def write_snapshot(world: World) -> bytes:
@@ -40,32 +46,46 @@ def write_snapshot(world: World) -> bytes:
 
 
 def digest_of(world: World) -> str:
-    """The hash that a snapshot of the world would carry, as hexadecimal digits."""
-    return _hash(_payload(world)).hex()
+    """A hash of what a snapshot holds, as hexadecimal digits.
+
+    In the continuous mode how much was searched is left out: it is all that depends on when one looks.
+    """
+    return _hash(_payload(world, WORK if world._states[0]["detection"] != DISCRETE else ())).hex()
 
 
 def _hash(payload: bytes) -> bytes:
     return hashlib.blake2b(payload, digest_size=HASH_SIZE).digest()
 
 
-def _payload(world: World) -> bytes:
-    """The arrays of a snapshot, one after the other."""
+def _payload(world: World, left_out: tuple[str, ...] = ()) -> bytes:
+    """The arrays of a snapshot, one after the other, with zeros for the counts that are left out."""
     arrays = world._arrays
     state = np.array([arrays.states[0]], STATE)
     state["balls"], state["shapes"] = arrays.balls.count, arrays.shapes.count
     state["wake"] = world._will_wake()
-    for field in DERIVED:
+    for field in (*DERIVED, *left_out):
         state[field] = 0
     balls = arrays.balls.used.copy()
     balls["relation"] = NO_RELATION
     for field in ("sensor", "can_collide"):
         balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
-    relations = np.array(relations_in_order(arrays), "i8").reshape(-1, 3)
+    relations = np.array(relations_in_order(arrays), "f8").reshape(-1, 4)
     text = np.frombuffer(json.dumps(_header(world), sort_keys=True).encode(), "u1")
     file = io.BytesIO()
-    for array in (text, state, balls, arrays.shapes.used, relations, arrays.hits[: int(arrays.states[0]["hits"])]):
+    pending = arrays.hits[: int(arrays.states[0]["hits"])]
+    for array in (text, state, balls, arrays.shapes.used, relations, pending, _courses(arrays)):
         np.save(file, array, allow_pickle=False)
     return file.getvalue()
+
+
+def _courses(arrays: Arrays) -> Rows:
+    """The flights of the balls, and what was seen of them, in the continuous mode; nothing in the other."""
+    count = arrays.balls.count if arrays.states[0]["detection"] != DISCRETE else 0
+    courses = np.zeros(count, COURSE)
+    known = min(count, len(arrays.flights) // 2)
+    for field in COURSE.names or ():
+        courses[field][:known] = arrays.flights[field][:known]
+    return courses
 
 
 def _header(world: World) -> dict[str, Any]:
@@ -95,7 +115,7 @@ def _read(snapshot: Any) -> Contents:
         raise SnapshotError("snapshot is damaged: its hash is not that of its contents")
     try:
         file = io.BytesIO(data[start:])
-        text, *tables = [np.lib.format.read_array(file, allow_pickle=False) for _ in range(6)]
+        text, *tables = [np.lib.format.read_array(file, allow_pickle=False) for _ in range(7)]
         contents = Contents(json.loads(text.tobytes().decode()), *tables)
         if file.read(1):
             raise SnapshotError("snapshot has more in it than a world")
@@ -125,7 +145,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     arrays.states[0]["hits"] = len(contents.hits)
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
-    _keep_saved(world)
+    _keep_saved(world, contents.courses)
     # Ids that were given after the snapshot was taken will be given again, to others.
     world._departed = Departed()
     world._lent = None
@@ -135,11 +155,14 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     _restore_objects(world, contents, left)
 
 
-def _keep_saved(world: World) -> None:
-    """Fill the copy by which the next step sees whether balls were changed through views."""
+def _keep_saved(world: World, courses: Rows) -> None:
+    """Fill in the flights, and the copy by which the next step sees whether balls were changed through views."""
     arrays = world._arrays
+    count = arrays.balls.count
+    for field in COURSE.names or ():
+        arrays.flights[field][: len(courses)] = courses[field]
     for field in ("x", "y", "vx", "vy"):
-        arrays.saved[field][: arrays.balls.count] = arrays.balls.used[field]
+        arrays.saved[field][:count] = courses[f"shown_{field}"] if len(courses) else arrays.balls.used[field]
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:

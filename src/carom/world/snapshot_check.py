@@ -11,15 +11,17 @@ import numpy as np
 from carom.constants import SNAPSHOT_TOLERANCE, TWO_PI
 from carom.errors import InvalidArgument, SnapshotError
 from carom.rows.ball import BALL
+from carom.rows.flight import ASLEEP, COURSE, FLYING
 from carom.rows.hit import EXIT, HIT
 from carom.rows.kinds import is_straight
 from carom.rows.pose import derive
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, NO_RELATION, PASSING
 from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SHAPE, STATIC, ShapeRow
-from carom.rows.state import STATE
+from carom.rows.state import DISCRETE, STATE
 from carom.rows.tables import Rows
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.compound import Compound
+from carom.world.kernels.step.relations import is_of_balls
 from carom.world.removal import Relation
 from carom.world.settings import SETTINGS, Settings
 from carom.world.statistics import COUNTERS
@@ -27,7 +29,7 @@ from carom.world.statistics import COUNTERS
 #: Fields of the state that a snapshot holds: the settings, which stand before the time, and what has come of the steps.
 KEPT = (
     *(STATE.names or ())[: (STATE.names or ()).index("time")],
-    *("time", "next_id", *COUNTERS, "balls", "shapes", "wake", "reach"),
+    *("time", "time_low", "next_id", *COUNTERS, "balls", "shapes", "wake", "reach"),
 )
 
 #: The others only say how its tables stand, or where an unfinished step is; a snapshot leaves them at 0.
@@ -44,23 +46,26 @@ class Contents:
     shapes: Rows
     relations: Rows
     hits: Rows
+    courses: Rows
 
     @property
     def relation_list(self) -> list[Relation]:
         """The relations as they are outside of a pool."""
-        return [tuple(row) for row in self.relations.tolist()]
+        return [(int(kind), int(ball), int(other), force) for kind, ball, other, force in self.relations.tolist()]
 
 
 def check_contents(contents: Contents) -> None:
     """Raise `SnapshotError` where the contents are not a state that a world can be in."""
-    tables = (contents.state, contents.balls, contents.shapes, contents.relations, contents.hits)
-    need([table.dtype for table in tables] == [STATE, BALL, SHAPE, np.dtype("i8"), HIT], "tables of another version")
-    need([table.ndim for table in tables] == [1, 1, 1, 2, 1], "tables of another form")
+    tables = (contents.state, contents.balls, contents.shapes, contents.relations, contents.hits, contents.courses)
+    kinds = [STATE, BALL, SHAPE, np.dtype("f8"), HIT, COURSE]
+    need([table.dtype for table in tables] == kinds, "tables of another version")
+    need([table.ndim for table in tables] == [1, 1, 1, 2, 1, 1], "tables of another form")
     _check_state(contents)
     _check_balls(contents.balls)
     _check_shapes(contents.shapes)
     _check_relations(contents)
     _check_hits(contents)
+    _check_courses(contents)
     _check_header(contents)
 
 
@@ -88,6 +93,7 @@ def _check_state(contents: Contents) -> None:
             raise SnapshotError(f"snapshot has a bad setting: {error}") from None
     need(expected.tobytes() == contents.state.tobytes(), "a state that no world is in between two steps")
     need(0.0 <= float(state["time"]) < np.inf and 0.0 <= float(state["reach"]) < np.inf, "a time that is not finite")
+    need(abs(state["time_low"]) <= np.spacing(state["time"]), "a time that is not the sum of two")
     for rows in (contents.balls, contents.shapes):
         ids = rows["id"]
         need((np.diff(ids) > 0).all(), "ids out of order")
@@ -150,13 +156,18 @@ def _agrees(values: tuple[Any, ...]) -> bool:
 
 def _check_relations(contents: Contents) -> None:
     """Raise where a relation is of rows that are not there, or of kinds that have none."""
-    need(contents.relations.shape[1] == 3, "relations of another form")
-    for kind, ball, other in contents.relation_list:
-        others = contents.balls if kind == INSIDE_BALL else contents.shapes
-        need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL, LASTING), "relations of unknown kinds")
+    need(contents.relations.shape[1] == 4, "relations of another form")
+    need(np.isfinite(contents.relations).all(), "relations that are not finite")
+    need((contents.relations[:, :3] % 1.0 == 0.0).all(), "relations of no rows")
+    need((contents.relations[:, 3] >= 0.0).all(), "relations that pull")
+    for kind, ball, other, _force in contents.relation_list:
+        others = contents.balls if is_of_balls(kind) else contents.shapes
+        need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL, LASTING, LYING), "relations of unknown kinds")
         need(0 <= ball < len(contents.balls) and 0 <= other < len(others), "relations of unknown rows")
         need(kind != INSIDE_BALL or other < ball, "relations of balls in the wrong order")
-    need(len(set(contents.relation_list)) == len(contents.relations), "a relation twice")
+    lying = {(ball, other) for kind, ball, other, _force in contents.relation_list if kind == LYING}
+    need(all(i != j and (j, i) in lying for i, j in lying), "balls that lie on each other by halves")
+    need(len({relation[:3] for relation in contents.relation_list}) == len(contents.relations), "a relation twice")
 
 
 def _check_hits(contents: Contents) -> None:
@@ -166,6 +177,17 @@ def _check_hits(contents: Contents) -> None:
     need(np.isfinite(hits["time"]).all(), "hits at no time")
     for field in ("ball", "shape"):
         need((hits[field] > 0).all() and (hits[field] < next_id).all(), "hits of unknown ids")
+
+
+def _check_courses(contents: Contents) -> None:
+    """Raise where a flight is none that a ball can be on, or there are too few of them or too many."""
+    courses, discrete = contents.courses, contents.state[0]["detection"] == DISCRETE
+    need(len(courses) == (0 if discrete else len(contents.balls)), "flights of other balls")
+    for field in COURSE.names or ():
+        if courses[field].dtype.kind == "f":
+            need(np.isfinite(courses[field]).all(), "flights that are not finite")
+    need(((courses["kind"] == FLYING) | (courses["kind"] == ASLEEP)).all(), "flights of unknown kinds")
+    need((courses["time"] <= contents.state[0]["time"]).all(), "flights that begin later than now")
 
 
 def _check_header(contents: Contents) -> None:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 Counter: TypeAlias = Literal[
-    "box_tests", "full_tests", "collisions", "strays", "overlaps", "sleeping", "stalled", "squeezed", "slowed"
+    "box_tests", "full_tests", "collisions", "strays", "overlaps", "sleeping", "held", "squeezed", "slowed"
 ]
 COUNTERS: tuple[Counter, ...] = get_args(Counter)
 
@@ -58,12 +58,17 @@ class Statistics:
 
     @property
     def stalled(self) -> int:
-        """Balls that reached `max_impacts` in a substep."""
-        return self._count("stalled")
+        """Always 0: no ball is stopped any more. It goes with the next version but one."""
+        return 0
+
+    @property
+    def held(self) -> int:
+        """Impacts that took all of the approach, since many before them had come too soon to be told apart."""
+        return self._count("held")
 
     @property
     def squeezed(self) -> int:
-        """Balls that had no room to be pushed to; a shape that moves went over them. Each counts once a substep."""
+        """Balls that had no room to be pushed to; a shape went over them. Each counts once (discrete: a substep)."""
         return self._count("squeezed")
 
     @property

@@ -12,6 +12,7 @@ from carom.rows.ball import BALL, BallRow
 from carom.rows.flight import FLIGHT
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
+from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, KINEMATIC, SHAPE, ShapeRow
@@ -97,13 +98,14 @@ class Arrays:
         self.relations = np.zeros(32, RELATION)
         self.flights = np.zeros(0, FLIGHT)
         self.queue = np.zeros(0, "i4")
+        self.island = (np.zeros(0, BODY), np.zeros(0, ISLAND_CONTACT))
 
     def table_of(self, member: Shape | Ball) -> WorldTable[Any]:
         """The table that has the rows of what is like a member."""
         return self.balls if member._KIND == BALL_KIND else self.shapes
 
     def arguments(self) -> tuple[Any, ...]:
-        """The arguments of a step's kernel; that of the continuous mode has two more."""
+        """The arguments of a step's kernel; that of the continuous mode has three more."""
         tables = (
             self.states,
             self.balls.rows,
@@ -121,7 +123,11 @@ class Arrays:
         )
         if self.states[0]["detection"] == DISCRETE:
             return tables
-        return (*tables, self.flights, self.queue)
+        bodies, contacts = self.island
+        if len(bodies) < len(self.balls.rows) or len(contacts) < len(self.relations):
+            # An island has no more balls than there are, and no more contacts than relations.
+            self.island = (np.zeros(len(self.balls.rows), BODY), np.zeros(len(self.relations), ISLAND_CONTACT))
+        return (*tables, self.flights, self.queue, self.island)
 
     def prepare(self) -> None:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
@@ -139,8 +145,12 @@ class Arrays:
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
             self.slots = np.zeros(len(self.balls.rows), SLOT)
-        if state["detection"] != DISCRETE and len(self.flights) < self.balls.count:
-            self.flights = np.zeros(len(self.balls.rows), FLIGHT)
+        if state["detection"] != DISCRETE and len(self.flights) < 2 * self.balls.count:
+            # The upper half is for the copies that a step which fails goes back to.
+            count = len(self.flights) // 2
+            flights = np.zeros(2 * len(self.balls.rows), FLIGHT)
+            flights[:count] = self.flights[:count]
+            self.flights = flights
             self.queue = np.zeros(len(self.balls.rows), "i4")
 
     def extend(self, status: int) -> None:
@@ -187,5 +197,16 @@ class Arrays:
 
 def clear_kernel_place(state: StateRow) -> None:
     """Forget where an interrupted step was, so that the next one begins at its beginning."""
-    for field in ("stage", "stage_entered", "substep", "iteration", "cursor", "pairs", "found", "steps_left"):
+    for field in (
+        "stage",
+        "stage_entered",
+        "substep",
+        "iteration",
+        "cursor",
+        "pairs",
+        "found",
+        "steps_left",
+        "running",
+        "foreseen",
+    ):
         state[field] = 0

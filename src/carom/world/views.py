@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.rows.ball import BALL
+from carom.rows.state import DISCRETE
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 
@@ -158,21 +159,30 @@ def lend(world: World) -> None:
 
 
 def note_lent(world: World) -> None:
-    """Note the lent columns; none of them while no ball sleeps, for then a change has nobody to wake."""
+    """Note the lent columns where a change of them has to be seen; a step itself changes none of them."""
     rows = world._arrays.balls.used
-    world._lent = rows[LENT].copy() if world._states[0]["sleeping"] else rows[LENT][:0]
+    if not _matters(world):
+        world._lent = rows[LENT][:0]
+    elif world._lent is None or len(world._lent) != len(rows):
+        world._lent = rows[LENT].copy()
 
 
 def see_lent(world: World) -> None:
-    """Wake all balls if columns that were lent have been written to."""
+    """Take note of it if columns that were lent have been written to."""
     lent, rows = world._lent, world._arrays.balls.used
-    if lent is None or not world._states[0]["sleeping"]:
+    if lent is None or not _matters(world):
         return
     if len(lent) != len(rows):
         world._lent = None
     elif not np.array_equal(lent, rows[LENT]):
         world._states[0]["wake"] = 1
-        note_lent(world)
+        world._lent = rows[LENT].copy()
+
+
+def _matters(world: World) -> bool:
+    """Whether a change of a column has to be seen: it wakes who sleeps, and changes what is foreseen in flights."""
+    state = world._states[0]
+    return bool(state["sleeping"] or state["detection"] != DISCRETE)
 
 
 class Shapes(Sequence["Shape | Compound"]):

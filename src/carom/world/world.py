@@ -11,17 +11,18 @@ import numpy as np
 
 from carom import checks
 from carom.compiler import door
-from carom.errors import InvalidArgument, NonFiniteState
+from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.relation import NO_RELATION
-from carom.rows.state import DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
+from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE
 from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Pair, Restitution
 from carom.world.copies import shallow, state_of, take_state
 from carom.world.hits import NO_ROWS, Hits
-from carom.world.kernels.continuous.continuous import step_continuous
+from carom.world.kernels.continuous.film import step_continuous
+from carom.world.kernels.continuous.frames import undo
 from carom.world.kernels.step.discrete import step_discrete
 from carom.world.kernels.step.rollback import roll_back
 from carom.world.members import NO_BALLS, Members
@@ -74,7 +75,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         sleep_time: float = 0.5,
         rest_speed: float | None = None,
         max_speed: float | None = None,
-        max_impacts: int = 100_000,
+        max_impacts: int | None = None,
         bounds: Sides | None = None,
         remove_strays: bool = False,
     ) -> None:
@@ -170,7 +171,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             left = _joined(gone) if gone else None
             hits = Hits.of(self, _joined(parts), left)
         except BaseException as error:
-            if isinstance(error, (InvalidArgument, NonFiniteState)) and error.hits is not None:
+            if isinstance(error, (InvalidArgument, NonFiniteState, ImpactLimit)) and error.hits is not None:
                 error.hits = Hits.of(self, _joined([*parts, error.hits]), _joined(gone) if gone else None)
             else:
                 self._give_back(parts, gone)
@@ -215,7 +216,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
                 self._serve(status)
                 status = kernel(*self._arguments)
         except BaseException as error:
-            if not isinstance(error, (NonFiniteState, InvalidArgument)) and state["stage"] != 0:
+            if not isinstance(error, (NonFiniteState, InvalidArgument, ImpactLimit)) and state["stage"] != 0:
                 self._roll_back()
             clear_kernel_place(state)
             self._arguments = None
@@ -245,6 +246,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     def _serve(self, status: int) -> None:
         """Do what a kernel that came back needs before it can go on, or raise."""
+        if status == PAUSE:
+            return
         if status in (NEEDS_ROOM, NEEDS_PAIRS):
             self._arrays.extend(status)
         elif status == HAS_STRAYS:
@@ -262,7 +265,13 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def _roll_back(self) -> None:
         """Undo the part of a step that was interrupted in the interpreter."""
         arrays = self._arrays
-        roll_back(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
+        tables = (
+            arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+        )  # fmt: skip
+        if arrays.states[0]["detection"] == DISCRETE:
+            roll_back(*tables)
+        else:
+            undo(*tables, arrays.flights)
 
     # -- state -------------------------------------------------------------------------------------------------------
 

@@ -73,6 +73,7 @@ def play_a_game(window: Window, app: PinballApp, most: int, at: Callable[[int], 
     window.frame(1.0 / 60.0)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_whole_game_is_played_with_keys_to_its_end_and_another_begins(renew: bool, tmp_path: Path) -> None:
     easy = HighScores([Score(initials="EVA", score=5_000), Score(initials="TOM", score=1_000_000)])

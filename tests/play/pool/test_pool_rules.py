@@ -8,7 +8,7 @@ import pytest
 
 import carom
 from carom.play.pool import setups
-from carom.play.pool.game import FASTEST, FIRST, MOST_IMPACTS, SLOWEST, STEP, Impact, Phase, Pool, Setup, speed_of
+from carom.play.pool.game import FASTEST, FIRST, SLOWEST, STEP, Impact, Phase, Pool, Setup, speed_of
 from carom.play.pool.preview import preview, reaches, scratch
 
 #: The eight lies in the jaws of the upper right pocket, the cue ball straight behind it.
@@ -165,7 +165,7 @@ def test_a_ball_that_a_pocket_holds_comes_to_rest_within_few_impacts() -> None:
     while pool.moving:
         hits = pool.step()
         most = max(most, 0 if hits is None else len(hits))
-    assert 100 <= most <= 4 * MOST_IMPACTS
+    assert most <= 200
     assert len(pool.marks) < 10
 
 

@@ -1,6 +1,7 @@
 """Touches with shapes that turn: worked examples, tips and stops, speeds that would tunnel, and the search's limits."""
 
-from math import asin, cos, hypot, pi, sin
+from math import asin, cos, hypot, inf, pi, sin
+from random import Random
 
 import pytest
 from hypothesis import given
@@ -9,8 +10,11 @@ from hypothesis import strategies as st
 from carom.constants import END_DEPTH_CONTINUOUS
 from carom.geometry import advance as advances
 from carom.geometry.arc import arc_ends
-from carom.geometry.vector import unit
+from carom.geometry.path import Path, Turning, path_after, path_beside
+from carom.geometry.vector import rotated, unit
 from tests.flat import flat
+from tests.naive_impact import Carriage, Flight, carom_advance, gap
+from tests.strategies import Figure, seeds
 from tests.unit.geometry.impact_figures import SLOP, STILL
 
 advance = flat(advances)
@@ -176,3 +180,41 @@ def test_no_finite_numbers_make_nan_or_an_exception(
         advance.advance_arc(cx, cy, r, ax, ay, bx, by, *carriage, *motion, 1e-9 * radius),
     ]
     assert all(time is None or 0.0 <= time <= duration for time in found)
+
+
+@pytest.mark.parametrize(
+    "figure",
+    [
+        ("point", (5.0, 0.0)),
+        ("segment", (0.0, 0.0, 10.0, 0.0)),
+        ("circle", (5.0, 0.0, 2.0)),
+        ("arc", (5.0, 0.0, 2.0, 0.5 * pi, 1.5 * pi)),
+    ],
+    ids=["point", "segment", "circle", "arc"],
+)
+@given(seeds)
+def test_a_search_goes_on_from_any_time_of_a_path_as_from_its_start(figure: Figure, seed: int) -> None:
+    random = Random(seed)
+    spin, radius, share = random.uniform(-3.0, 3.0), random.uniform(0.1, 0.5), random.random()
+    path = Path(*(random.uniform(-12.0, 12.0) for _ in range(6)))
+    flight = Flight(path.x, path.y, radius, *path[2:], 2.0)
+    time = carom_advance(figure, flight, Carriage(0.0, 0.0, 1.0, -1.0, spin), SLOP)
+    # What overlaps at first is met when it gets deeper than it was then, so not from a later time as from an earlier.
+    if time is None or gap(figure, radius, path.x, path.y) < 1e-6:
+        return
+    # All as seen at that time by one who travels with the pivot and turns with the shape.
+    later = share * time
+    x, y, vx, vy, gx, gy = path_after(path_beside(path, Turning(0.0, 0.0, 1.0, -1.0, spin)), later)
+    turn = cos(spin * later), -sin(spin * later)
+    x, y = rotated(x, y, *turn)
+    rest = Flight(x, y, radius, *rotated(vx, vy, *turn), *rotated(gx, gy, *turn), 2.0 - later)
+    found = carom_advance(figure, rest, Carriage(0.0, 0.0, 0.0, 0.0, spin), SLOP)
+    if gap(figure, radius, x, y) > 1e-6:
+        assert found is not None
+        assert later + found == pytest.approx(time, rel=1e-6)
+
+
+def test_without_an_end_what_turns_is_not_looked_for_and_what_does_not_is() -> None:
+    ball = (5.0, 3.0, 1.0, 0.0, -1.0, *STILL, inf)
+    assert advance.advance_segment(*HAND, *ORIGIN, 2.0, *ball, SLOP) is None
+    assert advance.advance_segment(*HAND, *ORIGIN, 0.0, *ball, SLOP) == 2.0

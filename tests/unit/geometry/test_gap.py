@@ -1,7 +1,9 @@
 """Gaps: how far a ball is from a shape, and in which direction, on either side and where the centre lies on it."""
 
-from math import hypot, sqrt
+from math import cos, fsum, hypot, pi, sin, sqrt
+from random import Random
 
+import mpmath
 import pytest
 from hypothesis import assume, given
 
@@ -66,3 +68,39 @@ def test_a_segment_reaches_past_its_ends_by_the_slop(past: float, slop: float, i
     for x in (4.0 + past, -past):
         found = gap.gap_segment(0.0, 0.0, 1.0, 0.0, 4.0, x, 3.0, 1.0, 0.0, 0.0, slop)
         assert found == ((2.0, -0.0, 1.0) if is_there else None)
+
+
+@pytest.mark.parametrize("kind", ["segment", "circle", "disc"])
+@pytest.mark.parametrize("r", [1.0, 0.7])
+def test_a_ball_too_deep_or_not_near_enough_is_placed_at_the_surface_from_either_side(kind: str, r: float) -> None:
+    # What rests is rounding, of either sign as often, whichever side the ball comes from.
+    random, rests = Random(1), []
+    reach = {"segment": 0.25, "circle": r - 0.25, "disc": r + 0.25}[kind]
+    for _ in range(2000):
+        turn, off = random.uniform(0.0, 2.0 * pi), random.uniform(-1e-6, 1e-6)
+        nx, ny = cos(turn), sin(turn)
+        x, y = (reach + off) * nx, (reach + off) * ny
+        figure = (kind, (-ny, nx, ny, -nx) if kind == "segment" else (0.0, 0.0, r))
+        found = gap_to(figure, (x, y, 0.25), (0.0, 0.0))
+        assert found is not None
+        scale = abs(x) + abs(y) + r
+        x, y = gap.placed(x, y, *found, scale)
+        again = gap_to(figure, (x, y, 0.25), (0.0, 0.0))
+        assert again is not None
+        assert abs(again[0]) <= 4e-16 * scale
+        assert gap.placed(x, y, *again, scale) == (x, y)
+        with mpmath.workdps(40):
+            away = mpmath.sqrt(mpmath.mpf(x) ** 2 + mpmath.mpf(y) ** 2)
+            if kind == "segment":
+                extent = sqrt((2.0 * nx) ** 2 + (2.0 * ny) ** 2)
+                away = mpmath.mpf(2.0 * ny / extent) * y - mpmath.mpf(-2.0 * nx / extent) * x
+            rests.append(float(abs(away) - reach))
+    # Within four standard errors of none.
+    assert abs(sum(1 if rest > 0.0 else -1 for rest in rests)) <= 4.0 * sqrt(len(rests))
+    assert abs(fsum(rests)) <= 4.0 * sqrt(fsum(rest * rest for rest in rests))
+
+
+def test_a_gap_that_is_rounding_is_left() -> None:
+    assert gap.placed(3.0, 1.0, 4e-15, 0.0, 1.0, 4.0) == (3.0, 1.0)
+    assert gap.placed(3.0, 1.0, -0.5, 0.0, 1.0, 4.0) == (3.0, 1.5)
+    assert gap.placed(3.0, 1.0, 0.5, 0.0, 1.0, 4.0) == (3.0, 0.5)

@@ -1,6 +1,6 @@
 """Impacts of balls that fall: worked examples, and what is known of a fall before its roots are looked for."""
 
-from math import hypot, nextafter
+from math import hypot, inf, nextafter
 
 import numpy as np
 import pytest
@@ -128,3 +128,45 @@ def test_a_ball_that_overlaps_and_rises_touches_again_from_clear_or_turns_within
     assert fall.fall_from_crest(-crest - 0.5e-6, 2.0, -10.0, 1.0) == pytest.approx(0.2)
     assert fall.fall_from_crest(-crest - 2e-6, 2.0, -10.0, 1.0) is None
     assert fall.fall_from_crest(-0.1, -2.0, -10.0, 1.0) is None
+
+
+# -- how long roots are looked for ---------------------------------------------------------------------------------
+
+
+@given(seeds)
+def test_after_its_escape_a_ball_stays_out_of_reach(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    px, py, vx, vy, gx, gy = motion = tuple(random.uniform(-5, 5, 6).tolist())
+    reach = random.uniform(0.1, 6)
+    escape = fall.escape_time(Path(*motion), reach)
+    pull = hypot(gx, gy)
+    if escape >= 0.0:
+        x, y = px + (vx + 0.5 * gx * escape) * escape, py + (vy + 0.5 * gy * escape) * escape
+        assert (x * gx + y * gy) / pull == pytest.approx(reach, rel=1e-5)
+        assert (vx * gx + vy * gy) / pull + pull * escape >= 0.0
+    away = distances((*fall.path_after(Path(*motion), max(escape, 0.0)),), 50.0)
+    assert away.min() > reach
+
+
+def test_a_ball_without_a_pull_never_escapes_and_one_below_has_escaped_at_once() -> None:
+    assert fall.escape_time(Path(0.0, 5.0, 1.0, 1.0, 0.0, 0.0), 1.0) == inf
+    assert fall.escape_time(Path(0.0, -5.0, 9.0, -1.0, 0.0, -1.0), 1.0) < 0.0
+    assert fall.escape_time(Path(0.0, -5.0, 9.0, 1.0, 0.0, -1.0), 1.0) < 0.0
+
+
+def test_the_distance_from_below_a_throw_turns_three_times() -> None:
+    # Thrown up beside the origin: nearest, farthest at its crest, nearest again; and far longer than that.
+    falls, *turns = fall.distance_turns(Path(-0.1, -1.0, 0.01, 8.0, 0.0, -8.0), 1e6)
+    assert falls
+    assert turns == pytest.approx([0.1 + 0.0343, 1.0, 1.8657], abs=1e-2)
+    # Without any, and with one that is missing.
+    assert fall.distance_turns(Path(0.0, -1.0, 0.0, -1.0, 0.0, -1.0), 5.0) == (False, 5.0, 5.0, 5.0)
+    assert fall.distance_turns(Path(0.0, 8.0, 0.0, -1.0, 0.0, 0.0), 5.0) == (True, 5.0, 5.0, 5.0)
+
+
+def test_a_turn_far_away_and_at_a_standstill_is_found_by_the_place_there() -> None:
+    # Along a line through the origin all but straight up to where it stands still, five million kilometres off.
+    path = Path(2007473779.5, 4610538565.0, -287.77001474922065, -660.926599277254, 2.0625818963e-05, 4.7372336601e-05)
+    _, turn, _, _ = fall.distance_turns(path, 2e7)
+    value, slope = fall.outward_rate(path, turn)
+    assert abs(value / slope) < 1e-3

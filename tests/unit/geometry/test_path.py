@@ -2,7 +2,7 @@
 
 import pytest
 
-from carom.geometry.path import Path, Turning, path_after, path_back, path_beside, path_from, place_on
+from carom.geometry.path import Path, Turning, is_straight, path_after, path_back, path_beside, path_from, place_on
 
 THROWN = Path(1.0, 2.0, 3.0, 4.0, 0.0, -10.0)
 
@@ -27,3 +27,10 @@ def test_a_path_is_seen_from_a_place_and_from_what_travels() -> None:
     turning = Turning(7.0, 7.0, 2.0, -1.0, 5.0)
     assert path_from(THROWN, 1.0, 1.0) == (0.0, 1.0, 3.0, 4.0, 0.0, -10.0)
     assert path_beside(THROWN, turning) == (1.0, 2.0, 1.0, 5.0, 0.0, -10.0)
+
+
+def test_a_pull_too_small_to_be_squared_is_none() -> None:
+    assert not is_straight(THROWN)
+    assert not is_straight(Path(0.0, 0.0, 0.0, 0.0, 1e-100, -1e-100))
+    assert is_straight(Path(1.0, 2.0, 3.0, 4.0, 0.0, 0.0))
+    assert is_straight(Path(1.0, 2.0, 3.0, 4.0, 1e-300, 0.0))

@@ -1,6 +1,6 @@
 """When a ball that touches a line or circle is beside the segment or arc itself: in the slab or sector, or entering."""
 
-from math import cos, hypot, pi, sin
+from math import cos, hypot, inf, pi, sin
 from random import Random
 
 import numpy as np
@@ -11,7 +11,14 @@ from carom.constants import END_DEPTH_CONTINUOUS
 from carom.geometry.arc import arc_ends
 from carom.geometry.figures import CentredArc
 from carom.geometry.path import Path
-from carom.geometry.reach import in_wide_sector, touch_in_sector, touch_in_slab, touches_arc
+from carom.geometry.reach import (
+    in_wide_sector,
+    sector_touch_within,
+    slab_touch_within,
+    touch_in_sector,
+    touch_in_slab,
+    touches_arc,
+)
 from tests.naive import in_sector
 from tests.strategies import seeds
 
@@ -21,7 +28,12 @@ RADIUS, EXTENT, SLOP = 1.0, 4.0, 1e-3
 def slab(time: float, depth: float, rate: float, foot: float, speed: float) -> float | None:
     """When a ball touches a segment whose line it touches at `time`, deep by `depth` and at a foot then."""
     path = Path(foot - speed * time, RADIUS - depth - rate * time, speed, rate, 0.0, 0.0)
-    return touch_in_slab(time, 2.0, path, EXTENT, SLOP, RADIUS)
+    touch = touch_in_slab(time, path, EXTENT, SLOP, RADIUS)
+    for look in (time, 2.0, inf):
+        within = None if touch is None or touch > look else touch
+        assert slab_touch_within(time, path, EXTENT, SLOP, RADIUS, look) == within
+    assert slab_touch_within(time, path, EXTENT, SLOP, RADIUS, 0.5 * time) is None
+    return touch
 
 
 def test_beside_a_segment_a_touch_of_its_line_is_one_of_the_segment() -> None:
@@ -36,7 +48,6 @@ def test_past_an_end_a_ball_touches_if_it_comes_in_all_but_clear(foot: float, sp
     assert slab(0.25, 0.0, -3.0 * flat, foot, speed) is None
     assert slab(0.25, 0.0, 2.0 * flat, foot, speed) is None  # it leaves
     assert slab(0.25, 0.0, -2.0 * flat, foot, -speed) is None  # it goes away
-    assert slab(1.75, 0.0, -2.0 * flat, foot, speed) is None  # too late
 
 
 @given(seeds)
@@ -82,6 +93,21 @@ def test_a_ball_that_comes_over_the_end_of_an_arc_touches_there_if_it_is_all_but
     path = Path(x, y, 0.0, speed, 0.0, 0.0)
     found = touch_in_sector(touch, 2.0, path, 1.0, quarter)
     assert found == (pytest.approx(0.5) if later else None)
-    assert touch_in_sector(touch, 0.49, path, 1.0, quarter) is None
+    assert sector_touch_within(touch, path, 1.0, quarter, inf) == found
+    for late in (
+        touch_in_sector(touch, 0.49, path, 1.0, quarter),
+        sector_touch_within(touch, path, 1.0, quarter, 0.49),
+    ):
+        assert late is None
     # In the sector already, it is the touch itself.
     assert touch_in_sector(0.1, 2.0, Path(4.0, 1.0, 0.0, speed, 0.0, 0.0), 1.0, quarter) == 0.1
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_ball_that_crosses_both_rays_touches_at_the_one_that_it_crosses_first(sign: float) -> None:
+    # A ball as large as its distance all but touches; in a narrow gap it crosses a ray, and then the other.
+    half, radius = 1e-9, 1e6
+    arc = CentredArc(1.0, cos(half), sin(half), cos(half), -sin(half), 1e-12)
+    path = Path(radius + 1.0, 0.0, 0.0, sign, 0.0, -0.5 * sign)
+    assert touch_in_sector(0.0, inf, path, radius, arc) == pytest.approx(1e-3, rel=1e-2)
+    assert touch_in_sector(0.0, 5e-4, path, radius, arc) is None

@@ -67,3 +67,12 @@ def test_an_inelastic_pair_goes_on_as_one() -> None:
 
 def test_the_lighter_of_two_overlapping_balls_moves_farther() -> None:
     assert response.separated(0.0, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.4) == pytest.approx((-0.1, 0.0, 1.3, 0.0))
+
+
+def test_by_a_normal_of_any_length_a_ball_rebounds_as_it_is_reflected() -> None:
+    for length in (1.0, 0.25, 8.0, 1e-200, 1e200):
+        assert response.rebounded(3.0, -4.0, 0.0, 0.0, 0.0, length, 1.0, 0.0, False) == (3.0, 4.0, 8.0)
+        assert response.rebounded(3.0, -4.0, 1.0, 2.0, 0.0, length, 0.5, 0.0, True) == (2.0, 5.0, 9.0)
+        assert response.rebounded(1.0, -0.5, 0.0, 0.0, 0.0, length, 0.0, 7.0, False) == (1.0, 7.0, 7.5)
+        assert response.rebounded(0.0, -4.0, 9.0, 2.0, 0.0, length, 0.5, 0.0, False) == (0.0, 5.0, 9.0)
+    assert response.rebounded(3.0, -4.0, 0.0, 0.0, 0.0, 0.0, 1.0, 9.0, True) == (3.0, -4.0, 0.0)

@@ -1,6 +1,6 @@
 """Roots of polynomials: textbook cases, cancellation, double roots, and all of them against 60 digits."""
 
-from math import inf, sqrt
+from math import inf, nan, nextafter, sqrt
 
 import mpmath
 import pytest
@@ -11,7 +11,6 @@ from carom.geometry import roots as root_functions
 from tests.flat import flat
 
 roots = flat(root_functions)
-numbers = st.floats(-1e3, 1e3, allow_subnormal=False)
 spread = st.builds(
     lambda digits, power, sign: sign * digits * 10.0**power,
     st.floats(1.0, 9.0),
@@ -91,51 +90,6 @@ def test_a_ratio_never_divides_by_zero() -> None:
     assert roots.clipped_ratio(1e300, 1e-300, 7.0) == 7.0
 
 
-def test_cubic_roots_in_order() -> None:
-    assert roots.cubic_roots(1.0, -6.0, 11.0, -6.0, 10.0) == pytest.approx((1.0, 2.0, 3.0), rel=1e-15)
-    assert roots.cubic_roots(1.0, -6.0, 11.0, -6.0, 2.5) == pytest.approx((1.0, 2.0, 2.5), rel=1e-15)
-    assert roots.cubic_roots(1.0, 0.0, 1.0, -2.0, 10.0) == pytest.approx((1.0, 10.0, 10.0), rel=1e-15)
-
-
-def test_lines_and_constants_are_cubics_too() -> None:
-    assert roots.cubic_roots(0.0, 0.0, 2.0, -3.0, 10.0) == (1.5, 10.0, 10.0)
-    assert roots.cubic_roots(0.0, 0.0, 0.0, -3.0, 10.0) == (10.0, 10.0, 10.0)
-    assert roots.cubic_roots(0.0, 0.0, 0.0, 0.0, 10.0) == (10.0, 10.0, 10.0)
-
-
-def test_a_double_root_is_no_change_of_sign() -> None:
-    first, second, third = roots.cubic_roots(1.0, -4.0, 5.0, -2.0, 10.0)  # (t - 1)² (t - 2)
-    changes = [root for root in (first, second, third) if root < 10.0]
-    assert len(changes) in {1, 3}
-    assert changes[-1] == pytest.approx(2.0, rel=1e-15)
-
-
-def test_a_triple_root_changes_the_sign_once() -> None:
-    first, second, _ = roots.cubic_roots(1.0, -3.0, 3.0, -1.0, 10.0)
-    assert first == pytest.approx(1.0, abs=1e-5)
-    assert second == 10.0
-
-
-@given(st.lists(st.floats(0.01, 9.9), min_size=3, max_size=3, unique=True), st.sampled_from((1.0, -1.0, 1e-3, 1e5)))
-def test_cubics_give_back_the_roots_they_are_made_of(given_roots: list[float], scale: float) -> None:
-    r1, r2, r3 = sorted(given_roots)
-    assume(min(r2 - r1, r3 - r2) > 1e-3)
-    made = (scale, -scale * (r1 + r2 + r3), scale * (r1 * r2 + r1 * r3 + r2 * r3), -scale * r1 * r2 * r3)
-    assert roots.cubic_roots(*made, 10.0) == pytest.approx((r1, r2, r3), abs=1e-8)
-
-
-@given(numbers, numbers, numbers, numbers)
-def test_a_cubic_has_one_sign_between_its_roots(c3: float, c2: float, c1: float, c0: float) -> None:
-    found = roots.cubic_roots(c3, c2, c1, c0, 5.0)
-    assert list(found) == sorted(found)
-    bounds = [0.0, *found, 5.0]
-    noise = 1e-9 * (abs(c3) + abs(c2) + abs(c1) + abs(c0))
-    for index in range(4):
-        low, high = bounds[index], bounds[index + 1]
-        values = [((c3 * t + c2) * t + c1) * t + c0 for t in (low + (high - low) * part / 20.0 for part in range(21))]
-        assert min(values) >= -noise or max(values) <= noise
-
-
 @pytest.mark.parametrize("guess", [0.0, 1.0, 1.4, 1.5, 2.0, -7.0, inf])
 @pytest.mark.parametrize("rising", [True, False])
 def test_newton_finds_the_enclosed_root_from_any_guess(guess: float, rising: bool) -> None:
@@ -153,3 +107,18 @@ def test_newton_gives_way_to_halving_where_it_would_not_converge() -> None:
 def test_a_root_at_the_end_of_its_enclosure_is_found() -> None:
     assert roots.root_between(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, True, 1.0) == pytest.approx(0.0, abs=1e-15)
     assert roots.root_between(0.0, 0.0, 0.0, 1.0, -2.0, 0.0, 2.0, True, 1.0) == pytest.approx(2.0, rel=1e-15)
+
+
+def test_newton_goes_on_to_a_root_where_it_leads_out_of_the_enclosure_from_its_end() -> None:
+    # Below zero at 5 and beyond its least value there: the tangent crosses zero to the right, the root is at 1.
+    assert roots.root_between(0.0, 0.0, 1.0, -7.0, 6.0, 0.0, 5.0, False, 4.9999) == pytest.approx(1.0, rel=1e-15)
+    assert roots.newton_step(5.0, -4.0, 3.0, 0.0, 5.0, 5.0) == 2.5
+    # But a root at the end itself has been found, though rounding leads out of it.
+    assert roots.newton_step(5.0, -4e-16, 3.0, 0.0, 5.0, 5.0) == 5.0
+
+
+def test_a_time_within_a_duration_is_a_number_and_not_later() -> None:
+    for duration in (3.0, 1e300, inf):
+        assert roots.time_within(3.0, duration) == 3.0
+    for time, duration in ((nextafter(3.0, inf), 3.0), (inf, inf), (nan, inf), (nan, 1.0)):
+        assert roots.time_within(time, duration) is None

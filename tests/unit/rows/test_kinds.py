@@ -13,7 +13,7 @@ from carom.geometry.path import Path, Turning
 from carom.rows import kinds, kinds_in_motion, kinds_near, pose
 from carom.rows.kinds import depth_on_entry
 from carom.rows.shape import BALL_KIND, KIND_NAMES
-from carom.world.kernels.continuous import support
+from carom.world.kernels.continuous import lasting
 from tests.conventions.source_trees import functions, kernel_files
 from tests.unit.rows.samples import (
     ENDED,
@@ -108,7 +108,7 @@ def test_what_keeps_a_ball_on_a_shape_at_rest(kind: str) -> None:
     _, (px, py), (nx, ny) = SAMPLES[kind]
     x, y, speed = px + RADIUS * nx, py + RADIUS * ny, 3.0
     bend = {"point": RADIUS, "circle": 0.8 + RADIUS, "arc": 0.8 + RADIUS}.get(kind, inf)
-    held = support.holding_acceleration(row_of(kind), 0.0, x, y, -speed * ny, speed * nx, nx, ny)
+    held = lasting.holding_acceleration(row_of(kind), 0.0, x, y, -speed * ny, speed * nx, nx, ny)
     assert held == pytest.approx(-speed * speed / bend)
 
 
@@ -142,7 +142,7 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[Any, ...], Any]] = {
 WRITERS = {"derive", "pose", "_shift", "_turn"}
 #: What they do with an unknown kind is what they do with most: a ball slides along it for a part of the substep, and
 #: it is a wall, if a point is on it; having arrived, it is everywhere.
-INDIFFERENT = {"slide_time", "leave_points", "is_on_wall_of", "_arrive"}
+INDIFFERENT = {"time_to_end", "past_end", "leave_points", "is_on_wall_of", "_arrive"}
 
 
 @KINDS

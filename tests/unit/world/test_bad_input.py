@@ -55,7 +55,7 @@ BAD: dict[str, list[Any]] = {
     "sleep_time": NO_SIZES,
     "rest_speed": [bad for bad in NO_SIZES if bad is not None],
     "max_speed": [bad for bad in NO_SIZES if bad is not None] + [0, 0.0],
-    "max_impacts": NO_COUNTS,
+    "max_impacts": [bad for bad in NO_COUNTS if bad is not None],
     "bounds": [5, "abcd", (1, 2, 3), (NAN, 0, 1, 1), (2, 0, 1, 1), (0, 2, 1, 1), {1, 2, 3, 4}, {1: 1}, (0, 0, INF, 1)],
     "remove_strays": NO_FLAGS,
     # methods

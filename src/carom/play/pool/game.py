@@ -28,10 +28,6 @@ SLOWEST, FASTEST = 12.0, 420.0
 #: kg·cm/s: impacts weaker than this are touches that nobody sees or hears.
 LEAST_IMPULSE = 0.02
 
-#: Impacts of a ball in a substep at most. One that comes to rest between a pocket's wall and its gate makes thousands,
-#: ever smaller; nobody sees those after these.
-MOST_IMPACTS = 200
-
 #: The layers of the shapes and of the two balls, so that a question to the world can leave balls out.
 SHAPES, CUE, EIGHT = 1, 2, 4
 
@@ -100,7 +96,6 @@ class Pool:
 
     def __init__(self, setup: Setup = FIRST) -> None:
         self.world = carom.scenes.pool().build()
-        self.world.max_impacts = MOST_IMPACTS
         self.cue, self.eight = self.world.balls
         self.cue.layer, self.eight.layer = CUE, EIGHT
         self.phase = Phase.AIM

@@ -16,6 +16,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of, level_of, wrapped_size
 from carom.world.kernels.broad_phase.pairs import measure_balls
+from carom.world.kernels.continuous.flight import age_now, place_after
 
 
 def open_bins(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int]) -> bool:
@@ -39,7 +40,7 @@ def open_bins(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow],
     for cell in range(size):
         heads[cell] = NO_BALL
     for i in range(count - 1, -1, -1):
-        file_ball(state, balls, flights, heads, i)
+        file_ball(state, balls, flights, heads, i, age_now(state, flights[i]))
     return True
 
 
@@ -57,12 +58,14 @@ def leash(state: StateRow, flight: FlightRow) -> float:
     return BIN_LEASH * float(state["bin_side"]) / float(1 << int(flight["level"]))
 
 
-def file_ball(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], ball: int) -> None:
-    """File a ball, which is filed nowhere, under the cell that it is in."""
+def file_ball(
+    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], ball: int, age: float
+) -> None:
+    """File a ball, which is filed nowhere, under the cell that it is in at an age of its flight."""
     row, flight = balls[ball], flights[ball]
     side = float(state["bin_side"])
     level = level_of(BIN_SIDE * 2.0 * float(row["radius"]), side)
-    x, y = float(row["x"]), float(row["y"])
+    x, y, _vx, _vy = place_after(row, flight, age)
     cell = bin_number(state, x, y, level)
     flight["bin_x"] = x
     flight["bin_y"] = y

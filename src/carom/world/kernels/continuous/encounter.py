@@ -2,32 +2,46 @@
 
 from __future__ import annotations
 
-from math import floor
+from math import fabs, inf
 
-from carom.constants import JOINT_TURN, PUSH_MOST, SEPARATION_SLACK, SQUEEZE_GAP, TICK_MARGIN
-from carom.geometry.response import exchanged, reflected
-from carom.geometry.vector import dot, larger, length
+from carom.constants import (
+    JOINT_TURN,
+    LEAST_PART,
+    LEAST_SQUARE,
+    LIFT,
+    PUSH_MOST,
+    SEPARATION_SLACK,
+    SHORT_ELASTIC_FLIGHT,
+    SHORT_ELASTIC_FLIGHTS,
+    SHORT_FLIGHT,
+    SHORT_FLIGHTS,
+    SHORT_GAP,
+    SQUEEZE_GAP,
+)
+from carom.geometry.gap import placed
+from carom.geometry.response import exchanged, rebounded
+from carom.geometry.vector import cross, dot, larger, length
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FLYING, STALLED, FlightRow
+from carom.rows.flight import ASLEEP, FLYING, FlightRow
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
-from carom.rows.kinds import gap_at_rest, lets_pass
+from carom.rows.kinds import bend_center, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
-from carom.rows.shape import ShapeRow
+from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
-from carom.world.kernels.continuous.arrival import time_of
-from carom.world.kernels.continuous.flight import fall_freely
-from carom.world.kernels.continuous.support import patience, slow_rebound, throw_off
-from carom.world.kernels.continuous.surfaces import gap_to_shape, into_frame
+from carom.world.kernels.continuous.flight import age_at
+from carom.world.kernels.continuous.island import join, lies
+from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
+from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame, reach_of
 from carom.world.kernels.step.hits import record_hit, write_hit
-from carom.world.kernels.step.motion import rouse, wake
+from carom.world.kernels.step.motion import wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
-from carom.world.kernels.step.room import ACROSS, barrier, pressed_depth
 
 
 def impact_with_shape(
@@ -37,23 +51,24 @@ def impact_with_shape(
     i: int,
     shapes: Table[ShapeRow],
     row: int,
+    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
     hits: Table[HitRow],
     relations: Table[RelationRow],
-    rest_speed: float,
 ) -> None:
     """Do what follows from a ball's touching a shape: it bounces, comes to rest, enters a sensor or passes.
 
     There must be room for a hit and a relation.
     """
     shape = shapes[row]
-    time = float(flight["time"])
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         add_relation(state, relations, ball, i, INSIDE_SHAPE, row)
-        write_hit(state, hits[state["hits"]], time_of(state, time), ENTER, int(ball["id"]), int(shape["id"]))
+        write_hit(state, hits[state["hits"]], float(state["now"]), ENTER, int(ball["id"]), int(shape["id"]))
         return
+    time = age_of_motion(shape, flight)
+    let_fly(state, ball, flight)
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     fx, fy = x, y
     if is_moving(shape):
@@ -65,23 +80,24 @@ def impact_with_shape(
     if found is None:
         return
     gap, nx, ny = found
-    if is_moving(shape) and is_squeezed(ball, shapes, index, state, cells, members, nx, ny):
+    # One at rest may have been put onto the ball.
+    pushes = is_moving(shape) or (shape["motion"] == KINEMATIC and gap < -LIFT * radius)
+    if pushes and is_squeezed(
+        state, ball, flight, shapes, order, index, cells, members, row, max(-gap, 0.0), nx, ny
+    ):  # fmt: skip
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return
-    if gap < -SEPARATION_SLACK * radius and not is_moving(shape):
-        # It was put there. What two sides push to and fro would go on so for ever, so it stays for now.
-        depth = pressed_depth(state, ball, shapes, (index, cells, members), relations, row, nx, ny, -gap)
-        across = barrier(state, ball, shapes, (index, cells, members), relations, row, -gap * nx, -gap * ny) == ACROSS
-        if across or depth > SEPARATION_SLACK * radius:
-            state["squeezed"] += 1
-            flight["kind"] = STALLED
-            fall_freely(state, flight)
-            return
-    if gap < 0.0:
-        ball["x"] = x - gap * nx
-        ball["y"] = y - gap * ny
-    bounce(state, ball, flight, i, shapes, row, hits, relations, rest_speed, gap, nx, ny)
+    if gap <= LIFT * radius:
+        # From both sides: what is pushed out where it is too deep, and left where it is short, gains with every impact.
+        # What a moving shape's frame rounds is more than that, and not of one kind: there it is always put.
+        scale = 0.0 if is_moving(shape) else fabs(x) + fabs(y) + radius + reach_of(shape)
+        x, y = placed(x, y, gap, nx, ny, scale)
+        ball["x"] = x
+        ball["y"] = y
+    bounce(state, ball, flight, i, shapes, row, hits, relations, gap, nx, ny)
+    if is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"])) and not lies(relations, ball):
+        stop_between(state, ball, flight, shapes, order, index, cells, members, row, nx, ny)
 
 
 def bounce(
@@ -93,79 +109,209 @@ def bounce(
     row: int,
     hits: Table[HitRow],
     relations: Table[RelationRow],
-    rest_speed: float,
     gap: float,
     nx: float,
     ny: float,
 ) -> None:
     """Turn a touching ball's velocity if it approaches, record the hit, and let the contact last if it would."""
     shape = shapes[row]
-    time = float(flight["time"])
+    rest_speed = float(state["rest_speed"])
+    time = age_of_motion(shape, flight)
     radius, vx, vy = float(ball["radius"]), float(ball["vx"]), float(ball["vy"])
     px, py = float(ball["x"]) - radius * nx, float(ball["y"]) - radius * ny
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, time)
     s = dot(vx - ux, vy - uy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
+    count_impact(ball, flight, elasticity, max(-s, 0.0))
+    tired = is_tired(flight, elasticity)
+    elasticity = 0.0 if tired else elasticity
+    state["held"] += 1 if tired and s < 0.0 else 0
     kick = float(shape["kick"])
+    lasting = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
+    slowest = lasting if rest_speed < 0.0 or lasting == 0.0 else rest_speed
+    if tired and (lasting > 0.0 or lies(relations, ball)):
+        # Of an island even what nothing presses on, or balls between two heavy ones would go to and fro for long.
+        lasting, slowest = max(lasting, LEAST_SQUARE), inf
     if s < 0.0 and -s <= JOINT_TURN * length(vx - ux, vy - uy) and has_kind(relations, ball, LASTING):
-        # It comes over a joint that is not quite even; held by the piece before, it would meet this one for ever.
+        # It comes over a joint that is all but even. The piece before holds it too, up to its end.
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
-        drop_all(state, relations, ball, LASTING)
+        if lasting == 0.0:
+            drop_all(state, relations, ball, LASTING)
     elif s < 0.0:
-        if (
-            elasticity < 1.0
-            and kick == 0.0
-            and -s < larger(rest_speed, slow_rebound(state, shape, ball, flight, nx, ny, elasticity))
-        ):
+        rebound = -s * (elasticity if rest_speed < 0.0 else 1.0)
+        if kick == 0.0 and (tired or slowest > 0.0) and rebound <= slowest:
             ball["vx"] = vx - s * nx
             ball["vy"] = vy - s * ny
         else:
-            total = state["total_restitution"] != 0
-            new_x, new_y, gain = reflected(vx, vy, ux, uy, nx, ny, elasticity, s, kick, total)
-            ball["vx"] = new_x
-            ball["vy"] = new_y
-            limit_speed(state, ball)
-            setback, speed = max(-gap, 0.0), length(vx - ux, vy - uy)
-            impulse = gain * float(ball["mass"])
-            touch = (px, py, nx, ny, setback)
-            record_hit(state, hits[state["hits"]], time_of(state, time), ball, shape, touch, speed, impulse)
-    slowest = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
+            rebound_off(state, ball, shape, time, hits, (px, py, nx, ny, max(-gap, 0.0)), (ux, uy), elasticity)
     u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
-    if slowest > 0.0 and u <= slowest:
+    if lasting > 0.0 and u <= slowest:
         ball["vx"] -= u * nx
         ball["vy"] -= u * ny
         add_relation(state, relations, ball, i, LASTING, row)
     elif s < 0.0:
-        throw_off(state, ball, time, shapes, relations, nx, ny)
+        if elasticity == 0.0 and kick == 0.0:
+            part_least(ball, length(vx - ux, vy - uy), nx, ny)
+        end_thrown(state, ball, flight, shapes, relations, nx, ny)
+
+
+def rebound_off(
+    state: StateRow,
+    ball: BallRow,
+    shape: ShapeRow,
+    time: float,
+    hits: Table[HitRow],
+    touch: tuple[float, float, float, float, float],
+    surface: tuple[float, float],
+    elasticity: float,
+) -> None:
+    """Give a ball the velocity with which it leaves a shape whose surface moves so at the touch, and record the hit."""
+    _px, _py, nx, ny, _setback = touch
+    ux, uy = surface
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    mx, my = long_normal(ball, shape, time, nx, ny)
+    total = state["total_restitution"] != 0
+    new_x, new_y, gain = rebounded(vx, vy, ux, uy, mx, my, elasticity, float(shape["kick"]), total)
+    ball["vx"] = new_x
+    ball["vy"] = new_y
+    limit_speed(state, ball)
+    # No slower than the surface that pushes it, or that would go through.
+    behind = min(dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny), 0.0)
+    ball["vx"] -= behind * nx
+    ball["vy"] -= behind * ny
+    speed, impulse = length(vx - ux, vy - uy), gain * float(ball["mass"])
+    record_hit(state, hits[state["hits"]], float(state["now"]), ball, shape, touch, speed, impulse)
+
+
+def part_least(ball: BallRow, speed: float, nx: float, ny: float) -> None:
+    """Let a ball that came with a speed, all of whose approach is taken, part from the shape by rounding.
+
+    What rounding has left of the approach would be an impact again, at once and without end.
+    """
+    ball["vx"] += LEAST_PART * speed * nx
+    ball["vy"] += LEAST_PART * speed * ny
+
+
+def stop_between(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    row: int,
+    nx: float,
+    ny: float,
+) -> None:
+    """Leave a ball that has met a shape along a normal, and another one just before, no speed into either.
+
+    Between the two it would come to rest only after impacts without end, each of which leaves it a part of its speed.
+    """
+    begin, end = cell_span(cells, locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"])))
+    for k in range(begin, end):
+        if row_of(members[k]) != row and is_stopped_by(ball, flight, shapes[row], shapes[members[k]], nx, ny):
+            return
+    for k in range(state["fixed"], state["shapes"]):
+        if row_of(order[k]) != row and is_stopped_by(ball, flight, shapes[row], shapes[order[k]], nx, ny):
+            return
+
+
+def is_stopped_by(ball: BallRow, flight: FlightRow, shape: ShapeRow, other: ShapeRow, nx: float, ny: float) -> bool:
+    """True if a ball, which has met a shape along a normal, goes into another that leads it back: then both stop it."""
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    vx, vy = float(ball["vx"]), float(ball["vy"])
+    if other["sensor"] != 0 or not may_collide(ball, other):
+        return False
+    age, time = age_of_motion(other, flight), age_of_motion(shape, flight)
+    found = gap_to_shape(other, age, x, y, radius, vx, vy)
+    if found is None:
+        return False
+    gap, mx, my = found
+    fx, fy = x, y
+    if is_moving(other):
+        fx, fy = into_frame(other, age, x, y)
+    if gap > SHORT_GAP * radius or gap < -LIFT * radius or lets_pass(other, fx, fy):
+        return False
+    ux, uy = surface_velocity(shape, float(shape["spin"]), x - radius * nx, y - radius * ny, time)
+    wx, wy = surface_velocity(other, float(other["spin"]), x - radius * mx, y - radius * my, age)
+    u, w, wedge = dot(ux, uy, nx, ny), dot(wx, wy, mx, my), cross(nx, ny, mx, my)
+    into = dot(vx, vy, mx, my) - w
+    if into >= 0.0 or fabs(wedge) <= LIFT or dot(vx - into * mx, vy - into * my, nx, ny) >= u:
+        return False
+    ball["vx"] = (u * my - w * ny) / wedge
+    ball["vy"] = (w * nx - u * mx) / wedge
+    return True
+
+
+def long_normal(ball: BallRow, shape: ShapeRow, age: float, nx: float, ny: float) -> tuple[float, float]:
+    """A touching ball's normal as the vector from what the shape is bent about, or to it; of a straight one, a unit.
+
+    Without a unit vector's rounding the ball keeps its speed and, in a round room, its angular momentum.
+    """
+    center = bend_center(shape)
+    if center is None:
+        return nx, ny
+    cx, cy = center
+    if is_moving(shape):
+        cx, cy = out_of_frame(shape, age, cx, cy)
+    dx, dy = float(ball["x"]) - cx, float(ball["y"]) - cy
+    if dx * nx + dy * ny > 0.0:
+        return dx, dy
+    return -dx, -dy
 
 
 def is_squeezed(
-    ball: BallRow,
-    shapes: Table[ShapeRow],
-    index: Table[IndexRow],
     state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
+    row: int,
+    push: float,
     nx: float,
     ny: float,
 ) -> bool:
-    """True if a ball that a moving shape pushes along its normal has next to no room before a static shape."""
+    """True if a ball that the kinematic shape in `row` pushes so far along a normal lacks the room, or all but.
+
+    That is one that stands still, or moves too and comes first in order; it has the last word.
+    """
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
-    ahead = 2.0 * SQUEEZE_GAP * radius
-    cell = locate(state, index[FIXED], cells, x + ahead * nx, y + ahead * ny)
-    if cell < 0:
-        return False
-    for k in range(int(cells[cell]["begin"]), int(cells[cell]["end"])):
-        shape = shapes[members[k]]
-        if shape["sensor"] == 0 and may_collide(ball, shape):
-            found = gap_at_rest(shape, x, y, radius, nx, ny, 0.0)
-            if found is not None:
-                gap, wall_x, wall_y = found
-                if gap < SQUEEZE_GAP * radius and dot(nx, ny, wall_x, wall_y) < -0.5:
-                    return not lets_pass(shape, x, y)
+    room = SQUEEZE_GAP * radius + push
+    ahead = SQUEEZE_GAP * radius + room
+    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x + ahead * nx, y + ahead * ny))
+    for k in range(begin, end):
+        if is_in_way(ball, flight, shapes[members[k]], room, nx, ny):
+            return True
+    for k in range(state["fixed"], state["shapes"]):
+        other = int(order[k])
+        before = other < row or not is_moving(shapes[other])
+        if other != row and before and is_in_way(ball, flight, shapes[other], room, nx, ny):
+            return True
     return False
+
+
+def is_in_way(ball: BallRow, flight: FlightRow, shape: ShapeRow, room: float, nx: float, ny: float) -> bool:
+    """True if a ball that goes along a normal has less than some room before a shape that stops it."""
+    if shape["sensor"] != 0 or not may_collide(ball, shape):
+        return False
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    age = age_of_motion(shape, flight)
+    found = gap_to_shape(shape, age, x, y, radius, nx, ny)
+    if found is None:
+        return False
+    gap, wall_x, wall_y = found
+    if gap >= room or dot(nx, ny, wall_x, wall_y) >= -0.5:
+        return False
+    if is_moving(shape):
+        x, y = into_frame(shape, age, x, y)
+    return not lets_pass(shape, x, y)
 
 
 def impact_of_balls(
@@ -176,21 +322,19 @@ def impact_of_balls(
     j: int,
     hits: Table[HitRow],
     relations: Table[RelationRow],
-    rest_speed: float,
 ) -> bool:
     """Do what follows from two balls' touching: `i` before `j` by row. True if a push has moved them.
 
     There must be room for a hit and a relation.
     """
     first, second = balls[i], balls[j]
-    now = float(flights[i]["time"])
     dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
     if first["sensor"] != 0 or second["sensor"] != 0:
         add_relation(state, relations, second, j, INSIDE_BALL, i)
-        write_hit(state, hits[state["hits"]], time_of(state, now), ENTER, int(second["id"]), int(first["id"]))
+        write_hit(state, hits[state["hits"]], float(state["now"]), ENTER, int(second["id"]), int(first["id"]))
         return False
-    vx, vy = velocity_in_flight(first, flights[i])
-    wx, wy = velocity_in_flight(second, flights[j])
+    vx, vy = float(first["vx"]), float(first["vy"])
+    wx, wy = float(second["vx"]), float(second["vy"])
     away = length(dx, dy)
     if away == 0.0:
         state["overlaps"] += 1
@@ -204,64 +348,61 @@ def impact_of_balls(
     setback = max(reach - away, 0.0)
     pushed = setback > SEPARATION_SLACK * reach
     if pushed:
-        part_balls(first, flights[i], second, flights[j], nx, ny, setback)
+        push_apart(first, second, nx, ny, setback)
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
-    wait, quiet = patience(state, first, flights[i], second, flights[j])
-    if u2 - u1 >= 0.0:
-        be_patient(flights[i], flights[j], now, wait)
-        return pushed
-    resting = elasticity < 1.0 and u1 - u2 < larger(rest_speed, quiet)
-    if resting:
-        # Slow as they are, they move; at the substep's end they fall asleep again if they are slow still.
-        stir(state, first, flights[i])
-        stir(state, second, flights[j])
-    gain = exchange(first, flights[i], second, flights[j], u1, u2, nx, ny, 0.0 if resting else elasticity)
-    if resting:
-        be_patient(flights[i], flights[j], now, wait)
-        return pushed
-    flights[i]["patience"] = 0.0
-    flights[j]["patience"] = 0.0
+    # What rounding alone has found counts too, or it would be found without end.
+    count_impact(first, flights[i], elasticity, larger(u1 - u2, 0.0))
+    count_impact(second, flights[j], elasticity, larger(u1 - u2, 0.0))
+    tired = is_tired(flights[i], elasticity) or is_tired(flights[j], elasticity)
+    radius = min(float(first["radius"]), float(second["radius"]))
+    press = pressing(state, first, flights[i], second, flights[j], relations, nx, ny)
+    quiet = lasting_speed(press, radius, elasticity)
+    rest_speed = float(state["rest_speed"])
+    rebound = u1 - u2 if rest_speed >= 0.0 else elasticity * (u1 - u2)
+    slowest = quiet if rest_speed < 0.0 or press <= 0.0 else rest_speed
     let_fly(state, first, flights[i])
     let_fly(state, second, flights[j])
+    state["held"] += 1 if tired and u2 - u1 < 0.0 else 0
+    if tired or (press > 0.0 and rebound <= slowest):
+        join(state, balls, relations, i, j)
+        elasticity = 0.0
+    if u2 - u1 >= 0.0:
+        return pushed
+    gain = exchange(first, second, u1, u2, nx, ny, elasticity)
+    if u1 - u2 <= slowest:
+        return pushed
     limit_speed(state, first)
     limit_speed(state, second)
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
     touch = (px, py, nx, ny, setback)
-    record_hit(state, hits[state["hits"]], time_of(state, now), second, first, touch, speed, gain)
+    record_hit(state, hits[state["hits"]], float(state["now"]), second, first, touch, speed, gain)
     return pushed
 
 
-def be_patient(flight: FlightRow, partner: FlightRow, now: float, wait: float) -> None:
-    """Let two balls that rest on each other, or are pressed together, meet again after a wait only.
+def pressing(
+    state: StateRow,
+    first: BallRow,
+    flight: FlightRow,
+    second: BallRow,
+    partner: FlightRow,
+    relations: Table[RelationRow],
+    nx: float,
+    ny: float,
+) -> float:
+    """The acceleration that presses two touching balls together along the normal; 0 or less if nothing does.
 
-    All wait for the same ticks, so one that meets another meanwhile does not put off the first.
+    That of their flights, less what their turning about each other takes. Of balls that both lie on others it is not
+    known before all of them are solved: there as much as gravity.
     """
-    until = (floor(now / wait + TICK_MARGIN) + 1.0) * wait
-    flight["patience"] = until
-    partner["patience"] = until
-
-
-def velocity_in_flight(ball: BallRow, flight: FlightRow) -> tuple[float, float]:
-    """The velocity with which a ball meets others: none, if it stands still for the rest of the substep."""
-    if flight["kind"] == FLYING:
-        return float(ball["vx"]), float(ball["vy"])
-    return 0.0, 0.0
-
-
-def part_balls(
-    first: BallRow, one: FlightRow, second: BallRow, other: FlightRow, nx: float, ny: float, setback: float
-) -> None:
-    """Move two balls apart until they touch; one that stands still stays where it is."""
-    if one["kind"] != STALLED and other["kind"] != STALLED:
-        push_apart(first, second, nx, ny, setback)
-    elif one["kind"] != STALLED:
-        first["x"] -= setback * nx
-        first["y"] -= setback * ny
-    elif other["kind"] != STALLED:
-        second["x"] += setback * nx
-        second["y"] += setback * ny
+    ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
+    press = dot(ax, ay, nx, ny)
+    if lies(relations, first) and lies(relations, second):
+        press = larger(press, length(float(state["gravity_x"]), float(state["gravity_y"])))
+    vx, vy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
+    across = cross(nx, ny, vx, vy)
+    return press - across * across / (float(first["radius"]) + float(second["radius"]))
 
 
 def keep_push_out(
@@ -292,7 +433,7 @@ def keep_push_out(
                 continue
             if find_relation(relations, ball, PASSING, row):
                 continue
-            found = gap_to_shape(shape, 0.0, from_x, from_y, radius, dx, dy)
+            found = gap_to_shape(shape, 0.0, from_x, from_y, radius, dx, dy)  # static: their motion has no age
             if found is None:
                 continue
             gap, nx, ny = found
@@ -305,34 +446,16 @@ def keep_push_out(
 
 
 def exchange(
-    first: BallRow,
-    one: FlightRow,
-    second: BallRow,
-    other: FlightRow,
-    u1: float,
-    u2: float,
-    nx: float,
-    ny: float,
-    elasticity: float,
-) -> float:
-    """The momentum that the second ball gets along the normal when two balls that approach bounce.
-
-    One that stands still for the rest of the substep is met as a wall, and keeps its velocity.
-    """
+    first: BallRow, second: BallRow, u1: float, u2: float, nx: float, ny: float, elasticity: float
+) -> float:  # fmt: skip
+    """The momentum that the second ball gets along the normal when two balls that approach bounce."""
     m1, m2 = float(first["mass"]), float(second["mass"])
-    if one["kind"] != STALLED and other["kind"] != STALLED:
-        new1, new2 = exchanged(u1, u2, m1, m2, elasticity)
-    elif one["kind"] == STALLED:
-        new1, new2 = u1, u1 - elasticity * (u2 - u1)
-    else:
-        new1, new2 = u2 - elasticity * (u1 - u2), u2
-    if one["kind"] != STALLED:
-        first["vx"] += (new1 - u1) * nx
-        first["vy"] += (new1 - u1) * ny
-    if other["kind"] != STALLED:
-        second["vx"] += (new2 - u2) * nx
-        second["vy"] += (new2 - u2) * ny
-    return m2 * (new2 - u2) if other["kind"] != STALLED else m1 * (u1 - new1)
+    new1, new2 = exchanged(u1, u2, m1, m2, elasticity)
+    first["vx"] += (new1 - u1) * nx
+    first["vy"] += (new1 - u1) * ny
+    second["vx"] += (new2 - u2) * nx
+    second["vy"] += (new2 - u2) * ny
+    return m2 * (new2 - u2)
 
 
 def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
@@ -340,21 +463,22 @@ def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     if flight["kind"] == ASLEEP:
         wake(state, ball)
         flight["kind"] = FLYING
-        fall_freely(state, flight)
+        flight["slow_for"] = 0.0
 
 
-def stir(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
-    """Let a sleeping ball fly for the rest of the substep."""
-    if flight["kind"] == ASLEEP:
-        rouse(state, ball)
-        flight["kind"] = FLYING
-        fall_freely(state, flight)
+def is_tired(flight: FlightRow, elasticity: float) -> bool:
+    """True for a ball whose impacts, at an elasticity, follow too close on one another to be told apart."""
+    return bool(flight["short"] > (SHORT_FLIGHTS if elasticity < 1.0 else SHORT_ELASTIC_FLIGHTS))
 
 
-def count_impact(state: StateRow, flight: FlightRow) -> None:
-    """Count an impact of a ball, and stop the ball for the rest of the substep if it has had too many."""
+def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:
+    """Count an impact of a ball, and whether it came too soon after the one before.
+
+    Too soon is where a part of the radius is more than the ball can have gone meanwhile, at the speed of approach.
+    """
     flight["impacts"] += 1
-    if flight["impacts"] >= state["max_impacts"] and flight["kind"] == FLYING:
-        flight["kind"] = STALLED
-        fall_freely(state, flight)
-        state["stalled"] += 1
+    seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
+    least = (SHORT_FLIGHT if elasticity < 1.0 else SHORT_ELASTIC_FLIGHT) * float(ball["radius"])
+    flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
+    flight["met_time"] = flight["time"]
+    flight["met_low"] = flight["low"]

@@ -1,78 +1,99 @@
-"""A ball's flight within a span of a substep: its own time, its acceleration, and where it is when."""
+"""A ball's flight: the instant it began, its acceleration, and where the ball is when."""
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf, sqrt
 
 from carom.geometry.path import Path, place_on
-from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FLYING, NO_PLACE, NOTHING, STALLED, FlightRow
+from carom.rows.ball import OF_WORLD, BallRow
+from carom.rows.flight import EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
 from carom.rows.state import StateRow
-from carom.rows.tables import Table
+from carom.world.kernels.continuous.instants import is_before, later, seconds_since
+
+#: Factor by which the keys of balls stand apart, so that two rows make one number.
+KEY_SIDE = 4294967296
 
 
-def begin_flight(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
-    """Let a ball begin a span: it falls freely, unless it sleeps or has been stopped for the substep."""
-    flight["time"] = 0.0
-    flight["event"] = NOTHING
-    flight["place"] = NO_PLACE
-    flight["patience"] = 0.0
-    flight["version"] += 1
-    if flight["kind"] != STALLED:
-        flight["kind"] = ASLEEP if ball["asleep"] != 0 else FLYING
-    fall_freely(state, flight)
+def age_now(state: StateRow, flight: FlightRow) -> float:
+    """The seconds since a flight began, at the instant that the film is shown."""
+    return seconds_since(float(state["now"]), float(state["now_low"]), float(flight["time"]), float(flight["low"]))
 
 
-def fall_freely(state: StateRow, flight: FlightRow) -> None:
-    """Give a ball the acceleration of gravity, or none if it does not fly."""
-    falls = flight["kind"] == FLYING
-    flight["ax"] = float(state["gravity_x"]) if falls else 0.0
-    flight["ay"] = float(state["gravity_y"]) if falls else 0.0
+def age_at(flight: FlightRow, time: float, low: float) -> float:
+    """The seconds since a flight began at an instant."""
+    return seconds_since(time, low, float(flight["time"]), float(flight["low"]))
 
 
-def place_at(ball: BallRow, flight: FlightRow, time: float) -> tuple[float, float, float, float]:
-    """Where a ball is at a time of the span and how fast it moves, as (x, y, vx, vy)."""
+def place_after(ball: BallRow, flight: FlightRow, age: float) -> tuple[float, float, float, float]:
+    """Where a ball is at an age of its flight and how fast it moves, as (x, y, vx, vy)."""
     x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
     if flight["kind"] != FLYING:
         return x, y, 0.0, 0.0
     ax, ay = float(flight["ax"]), float(flight["ay"])
-    dt = time - float(flight["time"])
-    half = 0.5 * dt * dt
-    return x + (vx * dt + ax * half), y + (vy * dt + ay * half), vx + ax * dt, vy + ay * dt
+    half = 0.5 * age * age
+    return x + (vx * age + ax * half), y + (vy * age + ay * half), vx + ax * age, vy + ay * age
 
 
 def path_of(ball: BallRow, flight: FlightRow) -> Path:
-    """The path of a ball from where it is in its row."""
+    """The path of a ball from where its flight began."""
+    if flight["kind"] != FLYING:
+        return Path(float(ball["x"]), float(ball["y"]), 0.0, 0.0, 0.0, 0.0)
     x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
     return Path(x, y, vx, vy, float(flight["ax"]), float(flight["ay"]))
 
 
-def path_at(ball: BallRow, flight: FlightRow, time: float) -> Path:
-    """The path of a ball from where it is at a time of the span."""
-    x, y, vx, vy = place_at(ball, flight, time)
+def path_at(ball: BallRow, flight: FlightRow, age: float) -> Path:
+    """The path of a ball from an age of its flight on; to the bit `path_of` at 0."""
+    if age == 0.0:
+        return path_of(ball, flight)
+    x, y, vx, vy = place_after(ball, flight, age)
+    if flight["kind"] != FLYING:
+        return Path(x, y, vx, vy, 0.0, 0.0)
     return Path(x, y, vx, vy, float(flight["ax"]), float(flight["ay"]))
 
 
-def fly_to(ball: BallRow, flight: FlightRow, time: float) -> None:
-    """Move a ball to where it is at a time of the span."""
-    if flight["kind"] == FLYING:
-        x, y, vx, vy = place_at(ball, flight, time)
-        ball["x"] = x
-        ball["y"] = y
-        ball["vx"] = vx
-        ball["vy"] = vy
-    flight["time"] = time
+def friction_of(state: StateRow, ball: BallRow) -> float:
+    """The deceleration of a ball by friction."""
+    friction = float(ball["friction"])
+    return float(state["friction"]) if friction == OF_WORLD else friction
 
 
-def top_speed(ball: BallRow, flight: FlightRow, duration: float) -> float:
-    """The most that a ball's speed can be in the next `duration` seconds of its flight."""
+def fall_freely(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Give a ball the acceleration of gravity and of friction, or none if it does not fly."""
+    flight["ax"] = float(state["gravity_x"]) if flight["kind"] == FLYING else 0.0
+    flight["ay"] = float(state["gravity_y"]) if flight["kind"] == FLYING else 0.0
+    add_friction(state, ball, flight)
+
+
+def add_friction(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Add friction to a ball's acceleration: against its velocity, or what keeps it from moving where that suffices."""
+    loss = friction_of(state, ball)
+    if loss == 0.0 or flight["kind"] != FLYING:
+        return
     vx, vy = float(ball["vx"]), float(ball["vy"])
+    speed = sqrt(vx * vx + vy * vy)
     ax, ay = float(flight["ax"]), float(flight["ay"])
-    return sqrt(vx * vx + vy * vy) + sqrt(ax * ax + ay * ay) * duration
+    if speed > 0.0:
+        flight["ax"] = ax - loss * (vx / speed)
+        flight["ay"] = ay - loss * (vy / speed)
+        return
+    pull = sqrt(ax * ax + ay * ay)
+    share = 1.0 - loss / pull if pull > loss else 0.0
+    flight["ax"] = ax * share
+    flight["ay"] = ay * share
+
+
+def time_to_go(speed: float, pull: float, way: float) -> float:
+    """The least time in which what has a speed, and a `pull` at most, can go a way; infinite where it never does."""
+    root = speed + sqrt(speed * speed + 2.0 * pull * way)
+    if root == inf:
+        # The square of the speed has overflowed; a pull adds nothing to such a one.
+        return way / speed
+    return 2.0 * way / root if root > 0.0 else inf
 
 
 def path_box(path: Path, begin: float, end: float) -> tuple[float, float, float, float]:
-    """The box (left, bottom, right, top) of a ball's centre between two times from now."""
+    """The box (left, bottom, right, top) of a ball's centre between two ages of its flight."""
     x0, y0 = place_on(path, begin)
     x1, y1 = place_on(path, end)
     # Between two of its points a parabola is never farther from their chord than an eighth of this.
@@ -81,22 +102,38 @@ def path_box(path: Path, begin: float, end: float) -> tuple[float, float, float,
     return min(x0, x1) - bulge_x, min(y0, y1) - bulge_y, max(x0, x1) + bulge_x, max(y0, y1) + bulge_y
 
 
-def consider(flight: FlightRow, delay: float, event: int, partner: int) -> None:
-    """Make an event the next one if it comes sooner than what was to come."""
-    time = float(flight["time"]) + delay
-    if time < flight["event_time"]:
-        flight["event_time"] = time
-        flight["event"] = event
-        flight["partner"] = partner
+def event_age(flight: FlightRow) -> float:
+    """The age of a flight at which its next event comes; infinite if nothing does."""
+    if flight["event"] == NOTHING:
+        return inf
+    return age_at(flight, float(flight["event_time"]), float(flight["event_low"]))
 
 
-def forget_partner(flight: FlightRow) -> None:
-    """Let events that others foresaw with this ball count no more: its path is another from now on."""
-    flight["version"] += 1
+def consider(flight: FlightRow, age: float, event: int, partner: int) -> bool:
+    """True where an event at an age of the flight comes sooner than what was to come, and is what comes next now."""
+    time, low = later(float(flight["time"]), float(flight["low"]), age)
+    return consider_at(flight, time, low, event, partner)
 
 
-def new_flights(state: StateRow, flights: Table[FlightRow]) -> None:
-    """Begin a substep: nothing is stopped and no impacts are counted."""
-    for i in range(state["balls"]):
-        flights[i]["kind"] = FLYING
-        flights[i]["impacts"] = 0
+def consider_at(flight: FlightRow, time: float, low: float, event: int, partner: int) -> bool:
+    """The same for an event at an instant.
+
+    Of two at one instant the greater kind comes first, and of two balls the one with the lower row: so it does not
+    matter in which order they are found.
+    """
+    if flight["event"] != NOTHING:
+        if is_before(float(flight["event_time"]), float(flight["event_low"]), time, low):
+            return False
+        if time == flight["event_time"] and low == flight["event_low"]:
+            known = int(flight["event"])
+            if known > event or (known == event and int(flight["partner"]) <= partner):
+                return False
+    row = int(flight["row"])
+    flight["event_time"] = time
+    flight["event_low"] = low
+    flight["event"] = event
+    flight["partner"] = partner
+    # An impact of two balls may stand in either's row; its key is the same.
+    of_two = event == HIT_BALL or event == EXIT_BALL
+    flight["event_key"] = min(row, partner) * KEY_SIDE + max(row, partner) + 1 if of_two else row * KEY_SIDE
+    return True

@@ -17,8 +17,14 @@ def row_of(number: int) -> int:
 
 def is_sooner(flights: Table[FlightRow], first: int, second: int) -> bool:
     """True if the event of ball `first` is to be dealt with before that of ball `second`."""
-    one, other = float(flights[first]["event_time"]), float(flights[second]["event_time"])
-    return one < other or (one == other and first < second)
+    one, other = flights[first], flights[second]
+    if one["event_time"] != other["event_time"]:
+        return bool(one["event_time"] < other["event_time"])
+    if one["event_low"] != other["event_low"]:
+        return bool(one["event_low"] < other["event_low"])
+    if one["event_key"] != other["event_key"]:
+        return bool(one["event_key"] < other["event_key"])
+    return first < second
 
 
 def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[int], ball: int) -> None:

@@ -1,4 +1,4 @@
-"""Shapes as a ball in flight meets them: where they are at a time of the span, when it touches them, and where."""
+"""Shapes as a ball in flight meets them: where they are when, when it touches them, and where."""
 
 from __future__ import annotations
 
@@ -7,29 +7,33 @@ from math import cos, fabs, sin
 from carom.constants import END_SLOP
 from carom.geometry.path import Path, Turning
 from carom.geometry.vector import length, rotated
+from carom.rows.flight import FlightRow
 from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.shape import ShapeRow
+from carom.world.kernels.continuous.instants import seconds_since
 
 
-def span_box(shape: ShapeRow, span: float) -> tuple[float, float, float, float]:
-    """A box around a moving shape that it does not leave during the span."""
+def age_of_motion(shape: ShapeRow, flight: FlightRow) -> float:
+    """The seconds for which a shape had been moving as it does when a flight began; 0 if it stands still."""
+    if not is_moving(shape):
+        return 0.0
+    return seconds_since(
+        float(flight["time"]), float(flight["low"]), float(shape["since"]), float(shape["since_low"])
+    )  # fmt: skip
+
+
+def reach_of(shape: ShapeRow) -> float:
+    """How far from its pivot a shape reaches."""
     px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
-    left, bottom = float(shape["left"]), float(shape["bottom"])
-    right, top = float(shape["right"]), float(shape["top"])
-    shift_x, shift_y = float(shape["velocity_x"]) * span, float(shape["velocity_y"]) * span
-    if shape["spin"] != 0.0:
-        reach = length(max(px - left, right - px), max(py - bottom, top - py))
-        # Turning by an angle moves nothing farther than by that angle times its distance from the pivot.
-        way = min(fabs(float(shape["spin"])) * span, 3.0) * reach
-        left, right = max(left - way, px - reach), min(right + way, px + reach)
-        bottom, top = max(bottom - way, py - reach), min(top + way, py + reach)
-    return left + min(shift_x, 0.0), bottom + min(shift_y, 0.0), right + max(shift_x, 0.0), top + max(shift_y, 0.0)
+    dx = max(fabs(float(shape["left"]) - px), fabs(float(shape["right"]) - px))
+    dy = max(fabs(float(shape["bottom"]) - py), fabs(float(shape["top"]) - py))
+    return length(dx, dy)
 
 
 def into_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[float, float]:
-    """The place (x, y) at a time of the span, relative to the shape as it stands at the span's beginning."""
+    """The place (x, y) at an age of a shape's motion, relative to the shape as it stood when that began."""
     turn = -float(shape["spin"]) * time
     dx = x - (float(shape["pivot_x"]) + float(shape["velocity_x"]) * time)
     dy = y - (float(shape["pivot_y"]) + float(shape["velocity_y"]) * time)
@@ -53,7 +57,7 @@ def out_of_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[floa
 def impact_in_motion(
     shape: ShapeRow, time: float, path: Path, radius: float, duration: float, sign: float
 ) -> float | None:
-    """When, from a time of the span on, a ball first touches a shape that moves, within `duration`, or None.
+    """When, from an age of its motion on, a ball first touches a shape that moves, within `duration`, or None.
 
     `sign` is 1, or -1 for a motion that runs backwards, the ball's path being given as it is then.
     """
@@ -71,9 +75,15 @@ def impact_in_motion(
 def gap_to_shape(
     shape: ShapeRow, time: float, x: float, y: float, radius: float, vx: float, vy: float
 ) -> tuple[float, float, float] | None:
-    """What `gap_at_rest` returns, for a shape at a time of the span and a ball's own velocity; None past its ends."""
+    """What `gap_at_rest` returns, for a shape at an age of its motion and a ball's own velocity; None past its ends."""
     # Twice as far as impacts are found, or one that is found just there would be lost to rounding, and found for ever.
-    slop = 2.0 * END_SLOP * radius
+    return gap_past_ends(shape, time, x, y, radius, vx, vy, 2.0 * END_SLOP * radius)
+
+
+def gap_past_ends(
+    shape: ShapeRow, time: float, x: float, y: float, radius: float, vx: float, vy: float, slop: float
+) -> tuple[float, float, float] | None:
+    """The same as far as `slop` past the shape's ends, and None beyond."""
     if not is_moving(shape):
         return gap_at_rest(shape, x, y, radius, vx, vy, slop)
     ux, uy = surface_velocity(shape, float(shape["spin"]), x, y, time)

@@ -7,7 +7,7 @@ from carom.rows.hit import EXIT, HitRow
 from carom.rows.kinds import find_contact
 from carom.rows.kinds_near import distance_to_shape
 from carom.rows.masks import may_collide
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import DISCRETE, StateRow
 from carom.rows.tables import Table
@@ -19,6 +19,8 @@ from carom.world.kernels.step.relations import drop_relation
 
 def is_there(balls: Table[BallRow], shapes: Table[ShapeRow], ball: BallRow, kind: int, other: int) -> bool:
     """True if what a ball's relation is to may be met still, as a sensor or not, as when the relation began."""
+    if kind == LYING:
+        return may_collide(ball, balls[other]) and balls[other]["sensor"] == 0 and ball["sensor"] == 0
     if kind == INSIDE_BALL:
         return may_collide(ball, balls[other]) and (balls[other]["sensor"] != 0 or ball["sensor"] != 0)
     sensing = shapes[other]["sensor"] != 0 or ball["sensor"] != 0
@@ -37,7 +39,7 @@ def still_holds(
     if state["detection"] != DISCRETE:
         return is_there(balls, shapes, ball, kind, other)
     # Only flights have lasting contacts; this one is left from a time in the other mode.
-    if kind == LASTING:
+    if kind == LASTING or kind == LYING:
         return False
     if kind == INSIDE_BALL:
         partner = balls[other]

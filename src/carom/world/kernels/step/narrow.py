@@ -245,7 +245,7 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     kick = float(shape["kick"])
     # Too slow to leave again before gravity brings it back: it comes to rest on the shape.
-    if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed(state)):
+    if pressed or (elasticity < 1.0 and kick == 0.0 and -approach < rest_speed(state, float(ball["radius"]))):
         ball["vx"] = vx - s * nx
         ball["vy"] = vy - s * ny
         return
@@ -415,7 +415,8 @@ def bounce_pair(
     first_mass, second_mass = float(first["mass"]), float(second["mass"])
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
     # Slow impacts of balls lose all of the approach, so that piles come to rest.
-    resting = elasticity < 1.0 and u1 - u2 < rest_speed(state)
+    radius = min(float(first["radius"]), float(second["radius"]))
+    resting = elasticity < 1.0 and u1 - u2 < rest_speed(state, radius)
     new1, new2 = exchanged(u1, u2, first_mass, second_mass, 0.0 if resting else elasticity)
     first["vx"] = vx + (new1 - u1) * nx
     first["vy"] = vy + (new1 - u1) * ny

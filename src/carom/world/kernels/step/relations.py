@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from carom.rows.ball import BallRow
-from carom.rows.relation import NO_RELATION, RelationRow
+from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+
+
+def is_of_balls(kind: int) -> bool:
+    """True for relations of a ball with another ball."""
+    return kind == INSIDE_BALL or kind == LYING
 
 
 def find_relation(relations: Table[RelationRow], ball: BallRow, kind: int, other: int) -> bool:
@@ -35,12 +40,23 @@ def add_relation(
     else:
         state["free_relation"] = relations[place]["next"]
     relation = relations[place]
+    relation["force"] = 0.0
     relation["kind"] = kind
     relation["ball"] = ball_row
     relation["other"] = other
     relation["next"] = ball["relation"]
     ball["relation"] = place
     state["relations"] += 1
+
+
+def set_force(relations: Table[RelationRow], ball: BallRow, kind: int, other: int, force: float) -> None:
+    """Keep the force of the relation `kind` of a ball to row `other`, if there is one."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == kind and relations[place]["other"] == other:
+            relations[place]["force"] = force
+            return
+        place = int(relations[place]["next"])
 
 
 def drop_relation(state: StateRow, relations: Table[RelationRow], ball: BallRow, place: int, before: int) -> int:

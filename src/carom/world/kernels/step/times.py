@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
+from carom.constants import REBOUND
 from carom.geometry.vector import length
 from carom.rows.state import DISCRETE, StateRow
 
@@ -20,17 +23,20 @@ def substep_end(state: StateRow) -> float:
 
 
 def hit_time(state: StateRow) -> float:
-    """The time of hits between balls that overlap: the end of the substep, or its beginning in the continuous mode."""
+    """The time of hits between balls that overlap: the end of the substep, or now in the continuous mode."""
     if state["detection"] == DISCRETE:
         return substep_end(state)
-    return float(state["time"]) + float(state["substep"]) * substep_length(state)
+    return float(state["now"])
 
 
-def rest_speed(state: StateRow) -> float:
-    """The speed of approach below which an inelastic contact comes to rest."""
+def rest_speed(state: StateRow, radius: float) -> float:
+    """The speed of approach below which an inelastic contact of a ball of a radius comes to rest."""
     speed = float(state["rest_speed"])
     if speed >= 0.0:
         return speed
+    pull = length(float(state["gravity_x"]), float(state["gravity_y"]))
+    if state["detection"] != DISCRETE:
+        # How long a step is says nothing there: a rebound that is too low to be seen is none.
+        return sqrt(2.0 * pull * REBOUND * radius)
     # What gravity adds in a substep is no approach; twice that leaves room for the rounding of the bounce before.
-    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
-    return 2.0 * length(gx, gy) * substep_length(state)
+    return 2.0 * pull * substep_length(state)

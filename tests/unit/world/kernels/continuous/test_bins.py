@@ -11,7 +11,7 @@ from carom.rows.flight import NO_BALL
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.bins import bin_number, file_ball, leash, may_meet, open_bins, unfile_ball
 from carom.world.tables import Arrays
-from tests.kernel_calls import in_flight
+from tests.kernel_calls import in_flight, look_at
 
 
 def crowd(seed: int, sizes: tuple[float, float]) -> World:
@@ -55,7 +55,7 @@ def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(size
         unfile_ball(flights, heads, step)
         assert step not in chain(*filed(arrays, heads))
         balls[step]["x"] += 3.0
-        file_ball(state, balls, flights, heads, step)
+        file_ball(state, balls, flights, heads, step, 0.0)
 
 
 @pytest.mark.parametrize("sizes", [(0.5, 0.5), (0.01, 3.0)])
@@ -85,3 +85,16 @@ def test_masks_may_exclude_every_meeting_of_balls() -> None:
     assert not may_meet(arrays.states[0], balls)
     balls["layer"][7] = 1
     assert may_meet(arrays.states[0], balls)
+
+
+def test_a_ball_is_filed_where_it_is_at_an_age_of_its_flight() -> None:
+    arrays = in_flight(crowd(1, (0.5, 0.5)), 1.0)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    balls["vx"][7], x = 3.0, float(balls["x"][7])
+    look_at(arrays, 0.5)
+    assert open_bins(state, balls, flights, heads)
+    assert flights["bin_x"][7] == x + 1.5
+    unfile_ball(flights, heads, 7)
+    file_ball(state, balls, flights, heads, 7, 2.0)
+    assert flights["bin_x"][7] == x + 6.0
+    assert balls["x"][7] == x

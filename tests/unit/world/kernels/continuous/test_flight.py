@@ -1,5 +1,6 @@
-"""A ball's flight: along the parabola of its acceleration, in a box around that, at no more than its top speed."""
+"""A ball's flight: along the parabola of its acceleration, from when it began; what comes next is the soonest."""
 
+from itertools import permutations
 from math import hypot, inf
 
 import numpy as np
@@ -7,41 +8,77 @@ import pytest
 
 from carom import Ball
 from carom.geometry.path import Path
-from carom.rows.flight import ASLEEP, FLYING, HIT_BALL, HIT_SHAPE, STALLED
-from carom.world.kernels.continuous.flight import begin_flight, consider, fly_to, path_box, place_at, top_speed
-from tests.kernel_calls import in_flight
+from carom.rows.flight import ASLEEP, CLEAR, EXIT_SHAPE, FLYING, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
+from carom.world.kernels.continuous.flight import (
+    add_friction,
+    age_at,
+    age_now,
+    consider,
+    event_age,
+    fall_freely,
+    friction_of,
+    path_at,
+    path_box,
+    path_of,
+    place_after,
+    time_to_go,
+)
+from tests.kernel_calls import in_flight, look_at
 from tests.worlds import continuous_world
 
 RANDOM = np.random.default_rng(4)
 
 
-def test_a_ball_flies_along_its_parabola_in_one_go_or_in_parts() -> None:
+def test_a_ball_flies_along_its_parabola_and_its_row_stays_where_the_flight_began() -> None:
     room = in_flight(continuous_world(Ball((1, 2), 1, velocity=(3, 4)), gravity=(0.5, -10)), 2.0)
     ball, flight = room.balls.rows[0], room.flights[0]
-    for time in (0.0, 0.3, 0.7, 2.0):
+    for time in (0.0, 0.3, 0.7, 2.0, -0.4):
         expected = 1 + 3 * time + 0.25 * time**2, 2 + 4 * time - 5 * time**2, 3 + 0.5 * time, 4 - 10 * time
-        assert place_at(ball, flight, time) == pytest.approx(expected)
-        fly_to(ball, flight, time)
-        assert tuple(ball[name] for name in ("x", "y", "vx", "vy")) == pytest.approx(expected)
-        assert flight["time"] == time
-    # Seen from later, where it was.
-    assert place_at(ball, flight, 0.3) == pytest.approx((1.9225, 2.75, 3.15, 1.0))
+        assert place_after(ball, flight, time) == pytest.approx(expected)
+        look_at(room, time)
+        assert age_now(room.states[0], flight) == age_at(flight, time, 0.0) == time
+    assert tuple(ball[name] for name in ("x", "y", "vx", "vy")) == (1, 2, 3, 4)
+    assert place_after(ball, flight, 0.0) == (1, 2, 3, 4)
 
 
-@pytest.mark.parametrize("kind", [ASLEEP, STALLED])
-def test_who_sleeps_or_has_been_stopped_stays_where_it_is(kind: int) -> None:
-    room = in_flight(continuous_world(Ball((1, 2), 1, velocity=(3, 4)), gravity=(0, -10)), 2.0)
+@pytest.mark.parametrize("kind", [FLYING, ASLEEP])
+@pytest.mark.parametrize("age", [0.0, 0.7])
+def test_a_path_from_an_age_on_is_the_rest_of_the_flight(kind: int, age: float) -> None:
+    room = in_flight(continuous_world(Ball((1, 2), 1, velocity=(3, 4)), gravity=(0.5, -10)))
     ball, flight = room.balls.rows[0], room.flights[0]
-    ball["asleep"], flight["kind"] = int(kind == ASLEEP), kind if kind == STALLED else FLYING
-    begin_flight(room.states[0], ball, flight)
-    assert (flight["kind"], flight["ax"], flight["ay"]) == (kind, 0, 0)
-    assert place_at(ball, flight, 2.0) == (1, 2, 0, 0)
-    fly_to(ball, flight, 2.0)
-    assert (ball["x"], ball["y"], ball["vx"]) == (1, 2, 3)
+    flight["kind"] = kind
+    pull = (0.5, -10.0) if kind == FLYING else (0.0, 0.0)
+    assert path_at(ball, flight, age) == Path(*place_after(ball, flight, age), *pull)
+    assert path_at(ball, flight, 0.0) == path_of(ball, flight)
+
+
+def test_who_sleeps_stays_where_it_is() -> None:
+    room = in_flight(continuous_world(Ball((1, 2), 1, velocity=(3, 4)), gravity=(0, -10)))
+    ball, flight = room.balls.rows[0], room.flights[0]
+    flight["kind"] = ASLEEP
+    fall_freely(room.states[0], ball, flight)
+    assert (flight["ax"], flight["ay"]) == (0, 0)
+    assert place_after(ball, flight, 2.0) == (1, 2, 0, 0)
+
+
+@pytest.mark.parametrize("own", [None, 0.0, 5.0])
+def test_friction_pulls_against_the_velocity_and_holds_what_stands(own: float | None) -> None:
+    room = in_flight(continuous_world(Ball((1, 2), 1, velocity=(3, 4), friction=own), gravity=(0, -4), friction=2.0))
+    state, ball, flight = room.states[0], room.balls.rows[0], room.flights[0]
+    loss = 2.0 if own is None else own
+    assert friction_of(state, ball) == loss
+    fall_freely(state, ball, flight)
+    assert (flight["ax"], flight["ay"]) == pytest.approx((-0.6 * loss, -4 - 0.8 * loss))
+    ball["vx"] = ball["vy"] = 0.0
+    fall_freely(state, ball, flight)
+    assert (flight["ax"], flight["ay"]) == (0, min(0.0, loss - 4))
+    flight["kind"], flight["ay"] = ASLEEP, 7.0
+    add_friction(state, ball, flight)
+    assert flight["ay"] == 7.0
 
 
 @pytest.mark.parametrize("case", range(20))
-def test_a_box_holds_a_way_and_the_top_speed_is_not_exceeded(case: int) -> None:
+def test_a_box_holds_a_way(case: int) -> None:
     x, y, vx, vy, ax, ay = RANDOM.uniform(-9, 9, 6)
     begin, end = sorted(RANDOM.uniform(0, 3, 2))
     left, bottom, right, top = path_box(Path(x, y, vx, vy, ax, ay), begin, end)
@@ -52,15 +89,56 @@ def test_a_box_holds_a_way_and_the_top_speed_is_not_exceeded(case: int) -> None:
     assert bottom - slack <= ys.min() <= ys.max() <= top + slack
     # It is no wider than need be by more than a bulge, to each side.
     assert right - left <= xs.max() - xs.min() + abs(ax) * (end - begin) ** 2 / 4 + slack
-    ball, flight = {"vx": vx, "vy": vy}, {"ax": ax, "ay": ay}
-    most = top_speed(ball, flight, 3.0)  # type: ignore[arg-type]
-    assert hypot(vx, vy) - slack <= max(hypot(vx + ax * t, vy + ay * t) for t in (0.0, 1.0, 2.0, 3.0)) <= most + slack
 
 
-def test_the_soonest_event_is_kept() -> None:
-    room = in_flight(continuous_world(Ball((0, 0), 1)), 1.0)
-    flight = room.flights[0]
-    flight["time"], flight["event_time"] = 0.25, inf
-    for delay, event, partner in ((0.5, HIT_SHAPE, 3), (0.75, HIT_BALL, 4), (0.5, HIT_BALL, 5), (0.25, HIT_BALL, 6)):
-        consider(flight, delay, event, partner)
-    assert (flight["event_time"], flight["event"], flight["partner"]) == (0.5, HIT_BALL, 6)
+@pytest.mark.parametrize("case", range(20))
+def test_no_way_is_gone_sooner_than_with_all_of_the_pull_along_it(case: int) -> None:
+    vx, vy, ax, ay = RANDOM.normal(0, 3, 4)
+    way = RANDOM.uniform(0.1, 5)
+    soonest = time_to_go(hypot(vx, vy), hypot(ax, ay), way)
+    for time in np.linspace(0, soonest, 20):
+        assert hypot(vx * time + ax * time**2 / 2, vy * time + ay * time**2 / 2) <= way * (1 + 1e-12)
+    assert hypot(vx, vy) * soonest + hypot(ax, ay) * soonest**2 / 2 == pytest.approx(way)
+
+
+def test_what_neither_moves_nor_is_pulled_goes_no_way() -> None:
+    assert time_to_go(0.0, 0.0, 1.0) == inf
+    assert time_to_go(2.0, 0.0, 1.0) == 0.5
+    assert time_to_go(0.0, 2.0, 1.0) == 1.0
+
+
+EVENTS = [(0.5, HIT_SHAPE, 3), (0.75, HIT_BALL, 4), (0.25, LEAVE, 2), (0.25, HIT_BALL, 6), (0.25, HIT_BALL, 5)]
+
+
+@pytest.mark.parametrize("order", list(permutations(range(5)))[::7])
+def test_the_soonest_event_is_kept_in_whatever_order_they_are_found(order: tuple[int, ...]) -> None:
+    room = in_flight(continuous_world(*(Ball((3 * k, 0), 1) for k in range(8))))
+    flight = room.flights[7]
+    flight["time"], flight["event"] = 1e9, NOTHING
+    assert event_age(flight) == inf
+    for k in order:
+        consider(flight, *EVENTS[k])
+    assert (event_age(flight), flight["event"], flight["partner"]) == (0.25, HIT_BALL, 5)
+    # The key of an impact of two is the same in either's row.
+    key = int(flight["event_key"])
+    other = room.flights[5]
+    assert consider(other, 0.25, HIT_BALL, 7)
+    assert other["event_key"] == key
+
+
+def test_consider_tells_whether_an_event_is_what_comes_next() -> None:
+    flight = in_flight(continuous_world(Ball((0, 0), 1))).flights[0]
+    assert consider(flight, 1.0, LOOK, NO_BALL)
+    assert not consider(flight, 1.5, HIT_SHAPE, 0)
+    assert consider(flight, 1.0, CLEAR, 3)
+    assert not consider(flight, 1.0, CLEAR, 4)
+    assert consider(flight, 1.0, CLEAR, 2)
+    assert consider(flight, 1.0, EXIT_SHAPE, 9)
+    assert (flight["event"], flight["partner"]) == (EXIT_SHAPE, 9)
+
+
+def test_events_of_a_flight_count_from_its_beginning_to_twice_the_digits() -> None:
+    flight = in_flight(continuous_world(Ball((0, 0), 1))).flights[0]
+    flight["time"], flight["low"] = 1e9, 1e-9
+    consider(flight, 1e-12, LOOK, NO_BALL)
+    assert event_age(flight) == pytest.approx(1e-12, rel=1e-9)

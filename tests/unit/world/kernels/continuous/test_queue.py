@@ -1,34 +1,99 @@
 """The queue of coming events: whoever comes and goes, the earliest stands in front."""
 
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
 
 from carom.rows.flight import FLIGHT, NO_PLACE
-from carom.world.kernels.continuous.queue import put_event, take_event
+from carom.rows.tables import Rows
+from carom.world.kernels.continuous.instants import is_before
+from carom.world.kernels.continuous.queue import is_sooner, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
+
+BALLS = 40
+
+
+def order_of(flights: Rows, ball: int) -> tuple[float, float, int, int]:
+    """What a ball's place in the queue follows from."""
+    row = flights[ball]
+    return float(row["event_time"]), float(row["event_low"]), int(row["event_key"]), ball
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_first_ball(seed: int) -> None:
+def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(seed: int) -> None:
     random = Random(seed)
-    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(40, FLIGHT), np.zeros(40, "i4")
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS, "i4")
     flights["place"] = NO_PLACE
-    times: dict[int, float] = {}
+    waiting: set[int] = set()
     for _ in range(600):
-        ball = random.randrange(40)
+        ball = random.randrange(BALLS)
         if random.random() < 0.6:
-            times[ball] = flights[ball]["event_time"] = random.choice((1.0, 2.0, random.random()))
+            flights[ball]["event_time"] = random.choice((1.0, 2.0, random.random()))
+            flights[ball]["event_low"] = random.choice((0.0, 1e-17, -1e-17))
+            flights[ball]["event_key"] = random.randrange(3)
             put_event(state, flights, queue, ball)
+            waiting.add(ball)
         else:
-            times.pop(ball, None)
             take_event(state, flights, queue, ball)
-        assert state["queued"] == len(times)
-        assert not times or queue[0] == min(times, key=lambda ball: (times[ball], ball))
+            waiting.discard(ball)
+        assert state["queued"] == len(waiting)
+        assert not waiting or queue[0] == min(waiting, key=lambda ball: order_of(flights, ball))
+        for place in range(len(waiting)):
+            assert flights[queue[place]]["place"] == place
     order = []
     while state["queued"]:
         order.append(int(queue[0]))
         take_event(state, flights, queue, order[-1])
-    assert order == sorted(times, key=lambda ball: (times[ball], ball))
+    assert order == sorted(waiting, key=lambda ball: order_of(flights, ball))
     assert (flights["place"] == NO_PLACE).all()
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_order_in_which_balls_were_put_in_does_not_show(seed: int) -> None:
+    random, flights = np.random.default_rng(seed), np.zeros(BALLS, FLIGHT)
+    flights["event_time"], flights["event_key"] = random.integers(0, 4, BALLS), random.integers(0, 2, BALLS)
+    orders: list[list[int]] = []
+    for _ in range(3):
+        state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, "i4"), []
+        flights["place"] = NO_PLACE
+        for ball in random.permutation(BALLS).tolist():
+            put_event(state, flights, queue, ball)
+        while state["queued"]:
+            order.append(int(queue[0]))
+            take_event(state, flights, queue, order[-1])
+        orders.append(order)
+    assert orders[0] == orders[1] == orders[2]
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ({"event_time": 1.0, "event_low": 9.0, "event_key": 9}, {"event_time": 2.0}),
+        ({"event_time": 1.0, "event_low": -1e-17, "event_key": 9}, {"event_time": 1.0}),
+        ({"event_time": 1.0, "event_key": 3}, {"event_time": 1.0, "event_key": 4}),
+    ],
+)
+def test_the_instant_comes_first_and_then_the_key(first: dict[str, Any], second: dict[str, Any]) -> None:
+    for one, other in ((0, 1), (1, 0)):
+        flights = np.zeros(2, FLIGHT)
+        for row, values in ((one, first), (other, second)):
+            for name, value in values.items():
+                flights[row][name] = value
+        assert is_sooner(flights, one, other)
+        assert not is_sooner(flights, other, one)
+        same = first.get("event_time") == second.get("event_time")
+        lows = first.get("event_low", 0.0), second.get("event_low", 0.0)
+        assert is_before(first["event_time"], lows[0], second["event_time"], lows[1]) == (not same or lows[0] < lows[1])
+
+
+def test_of_two_at_one_instant_with_one_key_the_lower_row_comes_first() -> None:
+    flights = np.zeros(2, FLIGHT)
+    assert is_sooner(flights, 0, 1)
+    assert not is_sooner(flights, 1, 0)
+
+
+def test_a_row_is_handed_on_as_a_plain_number() -> None:
+    assert row_of(np.int32(7)) == 7
+    assert type(row_of(np.int32(7))) is int

@@ -7,13 +7,15 @@ import pytest
 
 from carom import Arc, Circle, Point, Segment, Shape
 from carom.geometry.path import Path
+from carom.rows.flight import FLIGHT
+from carom.rows.kinds import gap_at_rest
 from carom.rows.pose import surface_velocity
 from carom.world.kernels.continuous.surfaces import (
+    age_of_motion,
     gap_to_shape,
     impact_in_motion,
     into_frame,
     out_of_frame,
-    span_box,
 )
 
 MOVING = {"motion": "kinematic", "pivot": (0.5, -0.5), "velocity": (1.5, -0.5), "angular_velocity": 2.0}
@@ -53,17 +55,26 @@ def test_the_surface_of_a_shape_at_rest_does_not_move() -> None:
 
 
 @SHAPES
-@pytest.mark.parametrize("spin", [2.0, 0.3, 0.0])
-def test_a_shape_does_not_leave_its_box_in_a_span(kind: int, spin: float) -> None:
-    shape = shapes()[kind]
-    shape._row["spin"] = spin
-    left, bottom, right, top = span_box(shape._row, 1.2)
-    around = [shape.closest_point((9 * cos(a), 9 * sin(a))) for a in np.linspace(0, 6.3, 60)]
-    for time in np.linspace(0, 1.2, 30):
-        for place in around:
-            x, y = out_of_frame(shape._row, float(time), *place)
-            assert left - 1e-9 <= x <= right + 1e-9
-            assert bottom - 1e-9 <= y <= top + 1e-9
+@pytest.mark.parametrize("age", [0.0, 0.4, -1.3])
+def test_a_gap_is_that_in_the_frame_in_which_the_shape_stands_still(kind: int, age: float) -> None:
+    row = shapes()[kind]._row
+    for angle in np.linspace(0, 6, 13):
+        x, y = 1 + 2 * cos(angle), 1 + 2 * sin(angle)
+        moved = out_of_frame(row, age, x, y)
+        still, seen = gap_at_rest(row, x, y, 0.3, 0.0, 0.0, 6e-10), gap_to_shape(row, age, *moved, 0.3, 0.0, 0.0)
+        assert (still is None) == (seen is None)
+        if still is not None and seen is not None:
+            assert seen[0] == pytest.approx(still[0], abs=1e-12)
+            c, s = cos(2 * age), sin(2 * age)
+            expected = still[1] * c - still[2] * s, still[1] * s + still[2] * c
+            assert abs(seen[1:][0] * expected[0] + seen[1:][1] * expected[1]) == pytest.approx(1.0)
+
+
+def test_the_age_of_a_motion_counts_from_its_beginning_to_the_flight_s() -> None:
+    row, flight = shapes()[0]._row, np.zeros(1, FLIGHT)[0]
+    row["since"], row["since_low"], flight["time"], flight["low"] = 1e9, 1e-9, 1e9, 3e-9
+    assert age_of_motion(row, flight) == pytest.approx(2e-9, rel=1e-9)
+    assert age_of_motion(Point((1, 1))._row, flight) == 0.0
 
 
 @SHAPES

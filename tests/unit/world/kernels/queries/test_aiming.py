@@ -19,6 +19,7 @@ def test_a_cut_shot_sends_the_object_ball_along_the_line_of_centres() -> None:
     assert line == Aim(
         ball=cue,
         shape=black,
+        time=pytest.approx(x),
         start=(0, 1),
         ghost=pytest.approx((x, 1)),
         distance=pytest.approx(x),

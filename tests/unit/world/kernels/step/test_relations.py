@@ -8,13 +8,15 @@ import pytest
 
 from carom import Arc, Ball, Gate, Segment, World
 from carom.constants import END_DEPTH_DISCRETE
-from carom.rows.relation import INSIDE_SHAPE, NO_RELATION, PASSING, RELATION
+from carom.rows import relation
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LYING, NO_RELATION, PASSING, RELATION
 from carom.world.kernels.step.relations import (
     add_relation,
     drop_all,
     drop_kind,
     find_relation,
     has_kind,
+    is_of_balls,
     relations_room,
 )
 from tests.kernel_calls import ball_rows, state_row
@@ -198,3 +200,10 @@ def test_relations_are_found_and_dropped_as_in_a_plain_set(seed: int) -> None:
         assert (state["relations"], relations_room(state, pool)) == (len(twin), 100 - len(twin))
     # Places that were given back are taken again.
     assert state["relations_high"] <= 3 * 2 * 9
+
+
+def test_two_of_all_kinds_are_of_two_balls() -> None:
+    kinds = [value for name, value in vars(relation).items() if name.isupper() and isinstance(value, int)]
+    kinds.remove(relation.NO_RELATION)
+    assert len(set(kinds)) == len(kinds) == 5
+    assert [kind for kind in sorted(kinds) if is_of_balls(kind)] == [INSIDE_BALL, LYING]

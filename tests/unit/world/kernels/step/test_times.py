@@ -1,7 +1,10 @@
 """Lengths and times of substeps."""
 
+from math import sqrt
+
 import pytest
 
+from carom.constants import REBOUND
 from carom.rows.state import CONTINUOUS, DISCRETE
 from carom.rows.tables import Row
 from carom.world.kernels.step.times import hit_time, rest_speed, substep_end, substep_length
@@ -20,10 +23,10 @@ def test_substeps_are_parts_of_a_step_and_the_last_one_ends_with_it_to_the_bit()
     assert [substep_end(state_at(k)) for k in range(3)] == [0.7 + 0.1 / 3, 0.7 + 2 * 0.1 / 3, 0.7 + 0.1]
 
 
-def test_overlaps_are_met_at_the_end_of_a_substep_or_where_all_else_flies_at_its_beginning() -> None:
-    for detection, time in ((DISCRETE, 0.7 + 2 * 0.1 / 3), (CONTINUOUS, 0.7 + 0.1 / 3)):
+def test_overlaps_are_met_at_the_end_of_a_substep_or_where_all_else_flies_now() -> None:
+    for detection, time in ((DISCRETE, 0.7 + 2 * 0.1 / 3), (CONTINUOUS, 0.7)):
         state = state_at(1)
-        state["detection"] = detection
+        state["detection"], state["now"] = detection, 0.7
         assert hit_time(state) == pytest.approx(time, rel=1e-15)
 
 
@@ -31,4 +34,14 @@ def test_overlaps_are_met_at_the_end_of_a_substep_or_where_all_else_flies_at_its
 def test_the_speed_of_rest_is_the_one_given_or_twice_what_gravity_adds_in_a_substep(given: float, speed: float) -> None:
     state = state_at(0)
     state["rest_speed"], state["gravity_x"], state["gravity_y"] = given, 3.0, -4.0
-    assert rest_speed(state) == pytest.approx(speed)
+    assert rest_speed(state, 0.25) == pytest.approx(speed)
+
+
+def test_where_all_else_flies_the_speed_of_rest_does_not_depend_on_the_step() -> None:
+    state = state_at(0)
+    state["detection"], state["rest_speed"], state["gravity_x"], state["gravity_y"] = CONTINUOUS, -1.0, 3.0, -4.0
+    assert rest_speed(state, 0.25) == sqrt(2 * 5 * REBOUND * 0.25)
+    state["dt"] = 17.0
+    assert rest_speed(state, 0.25) == sqrt(2 * 5 * REBOUND * 0.25)
+    state["rest_speed"] = 0.5
+    assert rest_speed(state, 0.25) == 0.5

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf
 
-from carom.constants import BIN_REACH
+from carom.constants import BIN_REACH, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
+from carom.geometry.path import Path
+from carom.geometry.vector import dot, length, length_squared
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_BALL, NO_BALL, FlightRow
 from carom.rows.masks import may_collide
-from carom.rows.relation import INSIDE_BALL, RelationRow
+from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
-from carom.rows.tables import Pairs, Table
+from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
 from carom.world.kernels.continuous.bins import leash
-from carom.world.kernels.continuous.flight import consider, path_at, place_at
+from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at
+from carom.world.kernels.continuous.instants import is_before, later
+from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.support import patience
+from carom.world.kernels.step.narrow import approaches
 from carom.world.kernels.step.relations import find_relation
 
 
-def foresee_balls(
+def predict_balls(
     state: StateRow,
     balls: Table[BallRow],
     heads: Table[int],
@@ -36,7 +40,7 @@ def foresee_balls(
     if state["binned"] == 0:
         for j in range(state["balls"]):
             if j != i and (all_balls or j > i or flights[j]["kind"] != FLYING):
-                foresee_pair(state, balls, flights, relations, i, j)
+                predict_pair(state, balls, flights, relations, i, j)
         return
     flight = flights[i]
     reach = float(balls[i]["radius"]) + leash(state, flight)
@@ -51,11 +55,11 @@ def foresee_balls(
             bottom, top = cell_of(y - half, inverse_side), cell_of(y + half, inverse_side)
             if (right - left + 1) * (top - bottom + 1) > mask:
                 left, right, bottom, top = 0, mask, 0, 0
-            foresee_cells(state, balls, heads, flights, relations, i, level, left, right, bottom, top, all_balls)
+            predict_cells(state, balls, heads, flights, relations, i, level, left, right, bottom, top, all_balls)
         level += 1
 
 
-def foresee_cells(
+def predict_cells(
     state: StateRow,
     balls: Table[BallRow],
     heads: Table[int],
@@ -82,33 +86,18 @@ def foresee_cells(
                 if wanted and j != i and partner["level"] == level:
                     tests += 1
                     if may_near(balls[i], flight, balls[j], partner):
-                        foresee_pair(state, balls, flights, relations, i, j)
+                        predict_pair(state, balls, flights, relations, i, j)
                 j = row_of(partner["next"])
     state["box_tests"] += tests
 
 
-def foresee_pairs(
-    state: StateRow, balls: Table[BallRow], pairs: Pairs, flights: Table[FlightRow], relations: Table[RelationRow]
-) -> None:
-    """Foresee the first impacts of all balls with each other, at a span's beginning, from the pairs that may meet."""
-    for k in range(state["pairs"]):
-        first, second = row_of(pairs[k, 0]), row_of(pairs[k, 1])
-        i, j = min(first, second), max(first, second)
-        if flights[i]["kind"] != FLYING:
-            i, j = j, i
-        if flights[i]["kind"] == FLYING and may_near(balls[i], flights[i], balls[j], flights[j]):
-            foresee_pair(state, balls, flights, relations, i, j)
-
-
 def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> bool:
     """False for most pairs that do not meet: those that fall alike, and part or near too slowly to touch in time."""
-    time, ax, ay = flight["time"], flight["ax"], flight["ay"]
+    ax, ay = flight["ax"], flight["ay"]
     if partner["kind"] != FLYING or partner["ax"] != ax or partner["ay"] != ay:
         return True
-    if flight["patience"] > time and partner["patience"] > time:
-        return True
     # Seen from the other, the ball moves straight: both have the same acceleration.
-    back = time - partner["time"]
+    back = age_at(partner, float(flight["time"]), float(flight["low"]))
     wx = ball["vx"] - (other["vx"] + ax * back)
     wy = ball["vy"] - (other["vy"] + ay * back)
     dx = ball["x"] - (other["x"] + (other["vx"] + 0.5 * ax * back) * back)
@@ -116,39 +105,57 @@ def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRo
     reach = ball["radius"] + other["radius"]
     nearing = dx * wx + dy * wy
     gap = (dx * dx + dy * dy) - reach * reach
-    return bool(nearing < 0.0 and gap + 2.0 * nearing * (flight["event_time"] - time) <= 0.0)
+    if gap < 0.0:
+        return True
+    # The margin is for rounding: who is left out must not depend on what else was found before.
+    return bool(nearing < 0.0 and gap + 2.0 * nearing * (event_age(flight) * SWEEP_ROUNDING) <= 0.0)
 
 
-def meeting_time(state: StateRow, ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> float:
-    """From when on a ball looks for an impact with another: now, or later where both rest and hardly come nearer."""
-    time = float(flight["time"])
-    if flight["patience"] <= time or partner["patience"] <= time:
-        return time
-    x1, y1, vx1, vy1 = place_at(other, partner, time)
-    dx, dy = float(ball["x"]) - x1, float(ball["y"]) - y1
-    nearing = dx * (float(ball["vx"]) - vx1) + dy * (float(ball["vy"]) - vy1)
-    _wait, quiet = patience(state, ball, flight, other, partner)
-    if nearing < -2.0 * quiet * sqrt(dx * dx + dy * dy):
-        return time
-    return min(float(flight["patience"]), float(partner["patience"]))
+def pair_begin(flight: FlightRow, partner: FlightRow) -> tuple[float, float]:
+    """The instant from which on two balls are looked at: when the later of their flights began."""
+    time, low = float(flight["time"]), float(flight["low"])
+    if is_before(time, low, float(partner["time"]), float(partner["low"])):
+        return float(partner["time"]), float(partner["low"])
+    return time, low
 
 
-def foresee_pair(
+def predict_pair(
     state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], relations: Table[RelationRow], i: int, j: int
 ) -> None:
-    """Foresee the impact of ball `i` with ball `j`."""
+    """Foresee the impact of ball `i` with ball `j`, or that they part where one of them is a sensor."""
     ball, other, flight, partner = balls[i], balls[j], flights[i], flights[j]
-    time = meeting_time(state, ball, flight, other, partner)
-    duration = float(flight["event_time"]) - time
-    if duration <= 0.0:
+    if not may_collide(ball, other):
         return
-    reach = float(other["radius"]) + float(ball["radius"])
-    delay = impact_ball(path_at(other, partner, time), path_at(ball, flight, time), reach, duration)
-    if delay is None or not may_collide(ball, other):
+    low, high = min(i, j), max(i, j)
+    if find_relation(relations, balls[high], INSIDE_BALL, low):
+        if predict_parting(ball, flight, other, partner, j, float(state["now"]), float(state["now_low"])):
+            flight["partner_version"] = partner["version"]
         return
+    if ball["relation"] != NO_RELATION and find_relation(relations, ball, LYING, j):
+        return
+    begin, begin_low = pair_begin(flights[low], flights[high])
+    first = path_at(balls[low], flights[low], age_at(flights[low], begin, begin_low))
+    second = path_at(balls[high], flights[high], age_at(flights[high], begin, begin_low))
     state["full_tests"] += 1
-    inside = find_relation(relations, balls[max(i, j)], INSIDE_BALL, min(i, j))
-    found = time - float(flight["time"]) + (0.0 + delay)
-    if not inside and float(flight["time"]) + found < flight["event_time"]:
-        consider(flight, found, HIT_BALL, j)
-        flight["partner_version"] = partner["version"]
+    delay = impact_ball(first, second, float(balls[low]["radius"]) + float(balls[high]["radius"]), inf)
+    if delay is not None and not (delay == 0.0 and only_slide(first, second)):
+        time, time_low = later(begin, begin_low, 0.0 + delay)
+        if consider_at(flight, time, time_low, HIT_BALL, j):
+            flight["partner_version"] = partner["version"]
+
+
+def only_slide(first: Path, second: Path) -> bool:
+    """True if two touching balls that are pulled alike approach by no more than the rounding of their velocities.
+
+    An impact leaves that much; met again, they would meet for ever.
+    """
+    x1, y1, vx1, vy1, ax1, ay1 = first
+    x2, y2, vx2, vy2, ax2, ay2 = second
+    if ax1 != ax2 or ay1 != ay2:
+        return False
+    dx, dy = x2 - x1, y2 - y1
+    away = length(dx, dy)
+    if away == 0.0:
+        return False
+    s = dot(vx2 - vx1, vy2 - vy1, dx, dy) / away
+    return not approaches(s, length_squared(vx1, vy1) + length_squared(vx2, vy2))

@@ -1,0 +1,236 @@
+"""A step in the continuous mode: it shows the film up to its end.
+
+What happens is there before anyone looks. Every ball is on a flight, which changes only at an event of its own; every
+prediction is a function of the flights concerned alone. So the state at an instant does not depend on the steps that
+lead to it. Source: docs/modes.md.
+"""
+
+from __future__ import annotations
+
+from carom.constants import EVENTS_BETWEEN_PAUSES, PARTING_ROUNDS
+from carom.rows.ball import BallRow
+from carom.rows.flight import FlightRow
+from carom.rows.hit import BOUNCE, HitRow
+from carom.rows.index import CellRow, IndexRow, SlotRow
+from carom.rows.island import BodyRow, IslandContactRow
+from carom.rows.relation import RelationRow
+from carom.rows.saved import PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import (
+    BEGIN,
+    DONE,
+    FIND_PAIRS,
+    FINISH,
+    FLY,
+    FORESEE,
+    MOVE,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    NOTE,
+    PAIRS,
+    PAUSE,
+    SHAPES,
+    SHOW,
+    TAKE_UP,
+    StateRow,
+)
+from carom.rows.tables import Pairs, Table
+from carom.world.kernels.broad_phase.shape_index import FIXED
+from carom.world.kernels.continuous.events import change_shapes, deal_with
+from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
+from carom.world.kernels.continuous.instants import is_before
+from carom.world.kernels.continuous.predict import predict_all
+from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.step.discrete import (
+    enter_stage,
+    find_pairs,
+    meet_all_pairs,
+    meet_all_shapes,
+    rebuild_index,
+)
+from carom.world.kernels.step.relations import relations_room
+
+
+def step_continuous(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    slots: Table[SlotRow],
+    starts: Table[int],
+    pairs: Pairs,
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+    queue: Table[int],
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+) -> int:
+    """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on, as `step_discrete`.
+
+    Balls that overlap because something was changed are first moved apart by the stages of the discrete mode.
+    """
+    state = states[0]
+    state["events"] = 0
+    while state["steps_left"] > 0:
+        stage = state["stage"]
+        if stage == BEGIN:
+            status = begin_film_step(states, balls, shapes, order, relations, flights)
+        elif stage == NOTE:
+            status = note_passed(state, balls, shapes, order, index, cells, members, relations, flights)  # fmt: skip
+        elif stage == MOVE or stage == SHAPES or stage == FIND_PAIRS or stage == PAIRS:
+            status = part_overlaps(
+                state, balls, shapes, order, (index, cells, members), (slots, starts, pairs), saved, hits, relations
+            )  # fmt: skip
+        elif stage == TAKE_UP:
+            status = take_up(state, balls, shapes, order, hits, relations, flights, island[0])
+        elif stage == FORESEE:
+            status = DONE
+            if not rebuild_index(state, balls, shapes, order, (index, cells, members)) or not predict_all(
+                state, balls, shapes, order, index, cells, members, starts, relations, flights, queue
+            ):
+                status = NEEDS_PAIRS
+            else:
+                state["foreseen"] = 1
+                enter_stage(state, FLY)
+        elif stage == FLY:
+            status = fly(
+                state, balls, shapes, order, index, cells, members, starts, hits, relations, flights, queue, island
+            )  # fmt: skip
+        else:
+            status = finish_frame(states, balls, shapes, order, saved, relations, flights)
+        if status != DONE:
+            return status
+    return DONE
+
+
+def part_overlaps(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    shape_index: tuple[Table[IndexRow], Table[CellRow], Table[int]],
+    pair_index: tuple[Table[SlotRow], Table[int], Pairs],
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when a stage has moved balls apart that overlap, and the next one is entered; else what it needs."""
+    stage = state["stage"]
+    _slots, _starts, pairs = pair_index
+    status = DONE
+    if stage == MOVE:
+        return begin_parting(state, balls, shapes, order, shape_index, saved)
+    if stage == SHAPES:
+        status = meet_all_shapes(state, balls, shapes, shape_index, saved, hits, relations)
+    elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
+        enter_stage(state, TAKE_UP)
+    elif stage == FIND_PAIRS:
+        status = find_pairs(state, balls, shapes, shape_index, pair_index, saved)
+    else:
+        status = meet_all_pairs(state, balls, shapes, shape_index, pairs, saved, hits, relations)
+    if state["stage"] == FINISH:
+        enter_stage(state, after_parting(state))
+    return status
+
+
+def begin_parting(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    shape_index: tuple[Table[IndexRow], Table[CellRow], Table[int]],
+    saved: Table[SavedRow],
+) -> int:
+    """DONE when the index of shapes is right and balls may be moved apart; NEEDS_PAIRS if it has too little room."""
+    if not rebuild_index(state, balls, shapes, order, shape_index):
+        return NEEDS_PAIRS
+    state["iteration"] = 0
+    state["found"] = 0
+    for i in range(state["balls"]):
+        saved[i]["touched"] = SHAPES_DUE | PAIRS_DUE
+    enter_stage(state, SHAPES)
+    return DONE
+
+
+def after_parting(state: StateRow) -> int:
+    """The stage that comes after a round of parting balls: another one where the last iteration still found some."""
+    if state["iteration"] < state["iterations"] or state["substep"] == PARTING_ROUNDS:
+        return TAKE_UP
+    state["substep"] += 1
+    return MOVE
+
+
+def fly(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    heads: Table[int],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+    queue: Table[int],
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+) -> int:
+    """DONE when all events up to the horizon are dealt with; NEEDS_ROOM if there may be too little for the next one."""
+    most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 4
+    horizon, horizon_low = float(state["horizon"]), float(state["horizon_low"])
+    while True:
+        # All balls of an island may begin to pass something at once.
+        wanted = most * (int(state["relations"]) + 1)
+        if len(hits) - state["hits"] < most or relations_room(state, relations) < wanted:
+            state["wanted_hits"] = state["hits"] + most
+            state["wanted_relations"] = state["relations"] + wanted
+            return NEEDS_ROOM
+        i = row_of(queue[0]) if state["queued"] > 0 else -1
+        change, change_low = float(state["change"]), float(state["change_low"])
+        next_is_shape = i < 0 or not is_before(
+            float(flights[i]["event_time"]), float(flights[i]["event_low"]), change, change_low
+        )
+        if next_is_shape:
+            if is_before(horizon, horizon_low, change, change_low):
+                break
+            state["now"] = change
+            state["now_low"] = change_low
+            change_shapes(state, balls, shapes, order, index, cells, members, flights, relations, island[0])
+            enter_stage(state, FORESEE)
+            return DONE
+        time, low = float(flights[i]["event_time"]), float(flights[i]["event_low"])
+        if is_before(horizon, horizon_low, time, low):
+            break
+        # What was foreseen for a time that is past, by rounding, is now.
+        if is_before(float(state["now"]), float(state["now_low"]), time, low):
+            state["now"] = time
+            state["now_low"] = low
+        deal_with(
+            state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, island, i
+        )  # fmt: skip
+        if is_over(state, balls, flights, hits, i):
+            state["horizon"] = state["now"]
+            state["horizon_low"] = state["now_low"]
+            enter_stage(state, SHOW)
+            return DONE
+        state["events"] += 1
+        if state["events"] > EVENTS_BETWEEN_PAUSES:
+            return PAUSE
+    enter_stage(state, SHOW)
+    return DONE
+
+
+def is_over(
+    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], hits: Table[HitRow], i: int
+) -> bool:  # fmt: skip
+    """True if the event of ball `i` ends the step: it has had as many impacts as it may, or who is watched has one."""
+    if flights[i]["kept"] == state["step_number"] and 0 < state["max_impacts"] <= flights[i]["impacts"]:
+        return True
+    if state["watched"] == 0 or state["hits"] == state["step_hits"]:
+        return False
+    hit, watched = hits[state["hits"] - 1], int(balls[state["watched"] - 1]["id"])
+    return bool(hit["kind"] == BOUNCE and (hit["ball"] == watched or hit["shape"] == watched))

@@ -1,0 +1,440 @@
+"""Between two steps: what users see of the film, what they have changed in it, and how a step that fails is undone."""
+
+from __future__ import annotations
+
+from carom.constants import NEVER
+from carom.rows.ball import BallRow
+from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
+from carom.rows.hit import EXIT, HitRow
+from carom.rows.index import CellRow, IndexRow
+from carom.rows.island import BodyRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.saved import SavedRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import (
+    BEGIN,
+    DONE,
+    FLY,
+    FORESEE,
+    HAS_STRAYS,
+    MOVE,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    NOT_FINITE,
+    NOTE,
+    REFUSED,
+    TAKE_UP,
+    TOO_MANY_IMPACTS,
+    StateRow,
+)
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.continuous.arrival import energy_of, note_passing
+from carom.world.kernels.continuous.flight import age_now, place_after
+from carom.world.kernels.continuous.instants import later
+from carom.world.kernels.continuous.island import hasten, lies, part_from_all
+from carom.world.kernels.continuous.lasting import hold
+from carom.world.kernels.continuous.movers import begin_motions, foresee_changes, is_changed, show_movers, take_back
+from carom.world.kernels.continuous.rest import slow_since
+from carom.world.kernels.continuous.sliding import slid_place, slides_along
+from carom.world.kernels.step.discrete import enter_stage, rebuild_index
+from carom.world.kernels.step.ending import is_there
+from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.motion import wake_all
+from carom.world.kernels.step.relations import drop_relation, relations_room
+from carom.world.kernels.step.rollback import (
+    find_strays,
+    is_allowed,
+    is_in_reach,
+    is_measured,
+    is_sound,
+    shapes_are_sound,
+)
+
+
+def begin_film_step(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> int:
+    """DONE when the horizon is set and what was changed is known; NOT_FINITE or REFUSED where the state is bad.
+
+    In the later steps of a call nothing can have been changed: then the film just goes on.
+    """
+    state = states[0]
+    if state["running"] == 0:
+        bad = refused(state, balls)
+        if bad != DONE:
+            return bad
+        keep_seen(state, balls, flights)
+        if is_changed(state, shapes, order) or (state["sleeping"] > 0 and is_any_changed(state, balls, flights)):
+            state["wake"] = 1
+        if state["index_stale"] != 0:
+            state["foreseen"] = 0
+    state["step_hits"] = state["hits"]
+    state["step_number"] += 1
+    state["now"] = state["time"]
+    state["now_low"] = state["time_low"]
+    horizon, horizon_low = later(float(state["time"]), float(state["time_low"]), float(state["dt"]))
+    state["horizon"] = horizon
+    state["horizon_low"] = horizon_low
+    keep_tables(states, shapes, order, relations)
+    state["substep"] = 0
+    state["outside"] = 0
+    if state["running"] != 0:
+        enter_stage(state, FLY)
+    elif state["wake"] != 0 or is_any_changed(state, balls, flights):
+        state["foreseen"] = 0
+        if state["wake"] != 0:
+            # Where they are seen, or were put, they begin to move as was set.
+            begin_motions(state, shapes, order)
+        else:
+            take_back(state, shapes, order)
+        enter_stage(state, NOTE)
+    else:
+        enter_stage(state, TAKE_UP)
+    return DONE
+
+
+def refused(state: StateRow, balls: Table[BallRow]) -> int:
+    """DONE where the balls are what balls may be; notes where the index of shapes does not serve their size."""
+    largest = 0.0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if not (is_sound(ball) and is_allowed(ball)):
+            return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
+        largest = max(largest, float(ball["radius"]))
+    if largest > state["reach"] or largest * 4.0 < state["reach"]:
+        state["reach"] = largest
+        state["index_stale"] = 1
+        state["foreseen"] = 0
+    return DONE
+
+
+def keep_seen(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> None:
+    """Keep the balls as they are seen, for a step that fails to go back to."""
+    for i in range(state["balls"]):
+        ball, flight = balls[i], flights[i]
+        flight["seen_x"] = ball["x"]
+        flight["seen_y"] = ball["y"]
+        flight["seen_vx"] = ball["vx"]
+        flight["seen_vy"] = ball["vy"]
+        flight["seen_still"] = ball["still_time"]
+        flight["seen_relation"] = ball["relation"]
+        flight["seen_asleep"] = ball["asleep"]
+
+
+def is_any_changed(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
+    """True if a ball is not as it was shown last, or was not there."""
+    changed = False
+    for i in range(state["balls"]):
+        changed = changed or not is_as_shown(balls[i], flights[i])
+    return changed
+
+
+def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
+    """True if a ball's row is as it was shown last."""
+    return bool(
+        flight["id"] == ball["id"]
+        and ball["x"] == flight["shown_x"]
+        and ball["y"] == flight["shown_y"]
+        and ball["vx"] == flight["shown_vx"]
+        and ball["vy"] == flight["shown_vy"]
+    )
+
+
+def keep_tables(
+    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow]
+) -> None:  # fmt: skip
+    """Keep all that a step may change but for the balls: state, kinematic shapes, relations."""
+    state = states[0]
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        shapes[count + k - fixed] = shapes[order[k]]
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[half + k] = relations[k]
+    states[1] = states[0]
+
+
+def note_passed(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> int:
+    """DONE when balls in flight that have come onto shapes past their ends pass them, before anything is parted.
+
+    NEEDS_ROOM where relations ran out, NEEDS_PAIRS where the index of shapes lacks room.
+    """
+    if not rebuild_index(state, balls, shapes, order, (index, cells, members)):
+        return NEEDS_PAIRS
+    fixed, count = int(state["fixed"]), int(state["shapes"])
+    most = int(index[FIXED]["longest"]) + count - fixed
+    for i in range(state["cursor"], state["balls"]):
+        ball, flight = balls[i], flights[i]
+        state["cursor"] = i
+        if relations_room(state, relations) < most:
+            state["wanted_hits"] = state["hits"]
+            state["wanted_relations"] = state["relations"] + most
+            return NEEDS_ROOM
+        age = age_now(state, flight)
+        moved = ball["x"] != flight["shown_x"] or ball["y"] != flight["shown_y"]
+        if moved or flight["id"] != ball["id"] or flight["kind"] != FLYING or not age > 0.0:
+            continue
+        x, y = float(flight["x"]), float(flight["y"])
+        begin, end = cell_span(cells, locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"])))
+        note_passing(state, ball, flight, i, shapes, members, begin, end, relations, age, age, x, y)
+        note_passing(state, ball, flight, i, shapes, order, fixed, count, relations, age, age, x, y)
+    show_movers(state, shapes, order)
+    enter_stage(state, MOVE)
+    return DONE
+
+
+def take_up(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+    bodies: Table[BodyRow],
+) -> int:
+    """DONE when every ball is on its flight again: on the one it was on, or a new one where something was changed."""
+    if len(hits) - state["hits"] < state["relations"]:
+        state["wanted_hits"] = state["hits"] + state["relations"]
+        return NEEDS_ROOM
+    changed = state["wake"] != 0
+    if changed:
+        wake_all(state, balls)
+        drop_what_is_off(state, balls, shapes, hits, relations)
+        begin_motions(state, shapes, order)
+        state["wake"] = 0
+    else:
+        take_back(state, shapes, order)
+    foresee_changes(state, shapes, order)
+    for i in range(state["balls"]):
+        ball, flight = balls[i], flights[i]
+        if not changed and is_as_shown(ball, flight):
+            ball["x"] = flight["x"]
+            ball["y"] = flight["y"]
+            ball["vx"] = flight["vx"]
+            ball["vy"] = flight["vy"]
+        else:
+            flights[len(flights) // 2 + i] = flight
+            if not changed and lies(relations, ball):
+                # What lay on it has to be held otherwise.
+                hasten(state, balls, flights, relations, bodies, i)
+                part_from_all(state, balls, relations, i)
+            begin_anew(state, ball, flight)
+            if lies(relations, ball):
+                flight["tick_time"] = state["now"]
+                flight["tick_low"] = state["now_low"]
+            hold(state, ball, flight, shapes, relations, True)
+    state["running"] = 1
+    enter_stage(state, FLY if state["foreseen"] != 0 else FORESEE)
+    return DONE
+
+
+def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Begin the flight of a ball that was put where it is, now."""
+    flight["id"] = ball["id"]
+    flight["time"] = state["now"]
+    flight["low"] = state["now_low"]
+    flight["kind"] = ASLEEP if ball["asleep"] != 0 else FLYING
+    flight["slow_for"] = ball["still_time"]
+    flight["energy"] = energy_of(state, ball)
+    flight["surplus"] = 0.0
+    flight["quiet"] = 0
+    flight["tick_time"] = NO_TICK
+    flight["met_time"] = NEVER
+    flight["met_low"] = 0.0
+    flight["short"] = 0
+    flight["kept"] = state["step_number"]
+    flight["impacts"] = 0
+    flight["version"] += 1
+
+
+def drop_what_is_off(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> None:
+    """End the relations to what may not be met any more, or is a sensor no more or now; sensors with an `EXIT`."""
+    for i in range(state["balls"]):
+        ball = balls[i]
+        before = NO_RELATION
+        place = int(ball["relation"])
+        while place != NO_RELATION:
+            kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
+            if is_there(balls, shapes, ball, kind, other):
+                before = place
+                place = int(relations[place]["next"])
+                continue
+            time = float(state["now"])
+            if kind == INSIDE_SHAPE:
+                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+            elif kind == INSIDE_BALL:
+                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+            place = drop_relation(state, relations, ball, place, before)
+
+
+def finish_frame(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> int:
+    """DONE when the step has ended; the last one of a call shows where everything is. NOT_FINITE if it was undone."""
+    state = states[0]
+    state["now"] = state["horizon"]
+    state["now_low"] = state["horizon_low"]
+    stopped = is_stopped(state, flights)
+    last = state["steps_left"] == 1 or stopped or state["bounded"] != 0
+    if not is_shown_sound(state, balls, flights):
+        undo(states, balls, shapes, order, saved, relations, flights)
+        return NOT_FINITE
+    if last:
+        show(state, balls, shapes, relations, flights)
+        show_movers(state, shapes, order)
+        state["running"] = 0
+    if not shapes_are_sound(state, shapes, order):
+        undo(states, balls, shapes, order, saved, relations, flights)
+        return NOT_FINITE
+    if state["bounded"] != 0:
+        find_strays(state, balls)
+    state["time"] = state["horizon"]
+    state["time_low"] = state["horizon_low"]
+    state["steps_left"] = 0 if stopped else state["steps_left"] - 1
+    state["stage"] = BEGIN
+    if stopped:
+        return TOO_MANY_IMPACTS
+    return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
+
+
+def is_stopped(state: StateRow, flights: Table[FlightRow]) -> bool:
+    """True if a ball has had as many impacts in this step as there may be."""
+    if state["max_impacts"] > 0:
+        for i in range(state["balls"]):
+            if flights[i]["kept"] == state["step_number"] and flights[i]["impacts"] >= state["max_impacts"]:
+                return True
+    return False
+
+
+def is_shown_sound(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
+    """True if all balls are at finite places now, with finite velocities."""
+    for i in range(state["balls"]):
+        x, y, vx, vy = place_after(balls[i], flights[i], age_now(state, flights[i]))
+        # Infinity minus itself is NaN, and NaN equals nothing.
+        if not (x - x == 0.0 and y - y == 0.0 and vx - vx == 0.0 and vy - vy == 0.0):
+            return False
+    return True
+
+
+def show(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> None:
+    """Let the balls' rows show where they are now, and their flights keep where those began."""
+    for i in range(state["balls"]):
+        ball, flight = balls[i], flights[i]
+        age = age_now(state, flight)
+        x, y, vx, vy = place_after(ball, flight, age)
+        held = slides_along(state, ball, flight, shapes, relations) if ball["relation"] != NO_RELATION else NO_RELATION
+        if held != NO_RELATION:
+            x, y, vx, vy = slid_place(state, ball, flight, shapes[held], age)
+        still = age - slow_since(state, ball, flight, age)
+        flight["x"] = ball["x"]
+        flight["y"] = ball["y"]
+        flight["vx"] = ball["vx"]
+        flight["vy"] = ball["vy"]
+        ball["x"] = x
+        ball["y"] = y
+        ball["vx"] = vx
+        ball["vy"] = vy
+        if flight["kind"] == FLYING:
+            ball["still_time"] = still
+        flight["shown_x"] = x
+        flight["shown_y"] = y
+        flight["shown_vx"] = vx
+        flight["shown_vy"] = vy
+
+
+def undo(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> None:
+    """Put everything back to what it was when the step began; the copies tell what was not finite any more."""
+    number = int(states[0]["step_number"])
+    for i in range(states[0]["balls"]):
+        x, y, vx, vy = place_after(balls[i], flights[i], age_now(states[0], flights[i]))
+        sound = x - x == 0.0 and y - y == 0.0 and vx - vx == 0.0 and vy - vy == 0.0
+        saved[i]["overflowed"] = 0 if sound else 1
+        if flights[i]["kept"] == number:
+            go_back(balls[i], flights, i)
+    states[0] = states[1]
+    state = states[0]
+    count, fixed = int(state["shapes"]), int(state["fixed"])
+    for k in range(fixed, count):
+        sound = is_in_reach(shapes[order[k]])
+        shapes[order[k]] = shapes[count + k - fixed]
+        shapes[count + k - fixed]["spare"] = 0 if sound else 1
+    half = len(relations) // 2
+    for k in range(state["relations_high"]):
+        relations[k] = relations[half + k]
+    if state["running"] == 0:
+        show_as_seen(state, balls, flights)
+    else:
+        show(state, balls, shapes, relations, flights)
+        show_movers(state, shapes, order)
+    state["running"] = 0
+    state["foreseen"] = 0
+    state["index_stale"] = 1
+
+
+def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:
+    """Put a ball back onto the flight that it was on when the step began."""
+    flights[i] = flights[len(flights) // 2 + i]
+    flight = flights[i]
+    ball["x"] = flight["x"]
+    ball["y"] = flight["y"]
+    ball["vx"] = flight["vx"]
+    ball["vy"] = flight["vy"]
+    ball["still_time"] = flight["still_time"]
+    ball["relation"] = flight["relation"]
+    ball["asleep"] = flight["asleep"]
+
+
+def show_as_seen(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> None:
+    """Let the balls' rows be what they were before the call."""
+    for i in range(state["balls"]):
+        ball, flight = balls[i], flights[i]
+        ball["x"] = flight["seen_x"]
+        ball["y"] = flight["seen_y"]
+        ball["vx"] = flight["seen_vx"]
+        ball["vy"] = flight["seen_vy"]
+        ball["still_time"] = flight["seen_still"]
+        ball["relation"] = flight["seen_relation"]
+        ball["asleep"] = flight["seen_asleep"]

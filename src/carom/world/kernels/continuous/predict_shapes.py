@@ -1,0 +1,234 @@
+"""What comes next for a ball in flight among the shapes: the first impact, or a look from farther along its way.
+
+What is found depends on the ball's path and the shape alone, not on from where or how far one looks.
+"""
+
+from __future__ import annotations
+
+from math import copysign, inf, sqrt
+
+from carom.constants import FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
+from carom.geometry.path import Path, place_on
+from carom.rows.ball import BallRow
+from carom.rows.flight import FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
+from carom.rows.index import CellRow, IndexRow
+from carom.rows.kinds import has_ends
+from carom.rows.kinds_in_motion import impact_at_rest
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
+from carom.rows.relation import NO_RELATION, RelationRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import GRID, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
+from carom.world.kernels.continuous.instants import later
+from carom.world.kernels.continuous.predict_movers import predict_mover
+from carom.world.kernels.continuous.predict_sensors import predict_entry
+from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.step.relations import is_of_balls
+
+
+def predict_shapes(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    age: float,
+) -> None:
+    """Foresee the first impact with a shape from an age of a flight on; a ball that sleeps waits for what moves."""
+    fixed, count = int(state["fixed"]), int(state["shapes"])
+    moves = flight["kind"] == FLYING and (
+        ball["vx"] != 0.0 or ball["vy"] != 0.0 or flight["ax"] != 0.0 or flight["ay"] != 0.0
+    )
+    if moves:
+        if fixed <= FEW_SHAPES or state["broad_phase"] != GRID or float(index[FIXED]["side"]) == inf:
+            predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, inf)
+        else:
+            predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age)
+        predict_members(state, ball, flight, shapes, order, relations, fixed, count, age, inf)
+    for k in range(fixed, count):
+        row = row_of(order[k])
+        if is_moving(shapes[row]) and not is_related(relations, ball, row):
+            predict_mover(state, ball, flight, shapes[row], row, age)
+
+
+def predict_on_way(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    entry: IndexRow,
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    age: float,
+) -> None:
+    """Foresee the first impact with a static shape near the way of a ball, cell by cell, and a look where that ends."""
+    path = path_of(ball, flight)
+    side = float(entry["side"])
+    left, bottom = float(entry["left"]), float(entry["bottom"])
+    right, top = left + side * float(entry["columns"]), bottom + side * float(entry["lines"])
+    _x, _y, begin_vx, begin_vy, gx, gy = path
+    pull = sqrt(gx * gx + gy * gy)
+    begin = age
+    for _ in range(FLIGHT_SLICES):
+        x, y = place_on(path, begin)
+        if not (left <= x <= right and bottom <= y <= top):
+            begin = time_into_box(path, begin, left, bottom, right, top)
+        if begin >= event_age(flight):
+            return
+        vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
+        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, side)
+        if not end > begin:
+            return
+        predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end)
+        begin = end
+    consider(flight, begin, LOOK, NO_BALL)
+
+
+def time_into_box(path: Path, begin: float, left: float, bottom: float, right: float, top: float) -> float:
+    """The first time from `begin` on at which a path that is outside of a box comes to it; infinite if never.
+
+    A little before that, if anything: what is looked for inside must not be passed by.
+    """
+    first = inf
+    for side in range(4):
+        upright = side < 2
+        level = left if side == 0 else (right if side == 1 else (bottom if side == 2 else top))
+        if upright:
+            one, two = crossings(0.5 * path.gx, path.vx, path.x - level)
+        else:
+            one, two = crossings(0.5 * path.gy, path.vy, path.y - level)
+        for time in (one, two):
+            # Where it crosses a side's line it comes in if the other coordinate is between the other two sides.
+            if begin < time < first and is_between(path, time, upright, left, bottom, right, top):
+                first = time
+    return first
+
+
+def is_between(
+    path: Path, time: float, upright: bool, left: float, bottom: float, right: float, top: float
+) -> bool:  # fmt: skip
+    """True if a path is between the lower and the upper side of a box at a time, or between the others, all but."""
+    x, y = place_on(path, time)
+    if upright:
+        slack = SEARCH_MARGIN * (top - bottom)
+        return bottom - slack <= y <= top + slack
+    slack = SEARCH_MARGIN * (right - left)
+    return left - slack <= x <= right + slack
+
+
+def crossings(c2: float, c1: float, c0: float) -> tuple[float, float]:
+    """The two roots of c2·t² + c1·t + c0; -1 for each one that is missing."""
+    if c2 == 0.0:
+        return (-c0 / c1 if c1 != 0.0 else -1.0), -1.0
+    discriminant = c1 * c1 - 4.0 * c2 * c0
+    if discriminant < 0.0:
+        return -1.0, -1.0
+    half_sum = -0.5 * (c1 + copysign(sqrt(discriminant), c1))
+    return half_sum / c2, (c0 / half_sum if half_sum != 0.0 else -1.0)
+
+
+def predict_slice(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    entry: IndexRow,
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    begin: float,
+    end: float,
+) -> None:
+    """Foresee impacts with the static shapes near a slice of a way that is no wider than a cell."""
+    left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
+    first = locate(state, entry, cells, left, bottom)
+    second = locate(state, entry, cells, right, bottom)
+    third = locate(state, entry, cells, left, top)
+    fourth = locate(state, entry, cells, right, top)
+    for corner in range(4):
+        if corner == 0:
+            cell = first
+        elif corner == 1:
+            cell = second if second != first else -1
+        elif corner == 2:
+            cell = third if third != first and third != second else -1
+        else:
+            cell = fourth if fourth != first and fourth != second and fourth != third else -1
+        if cell >= 0:
+            low, high = cell_span(cells, cell)
+            predict_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
+
+
+def predict_members(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    low: int,
+    high: int,
+    begin: float,
+    end: float,
+) -> None:
+    """Foresee impacts with those of the shapes `members[low:high]` that stand still, near a slice of a ball's way."""
+    path, radius = path_of(ball, flight), float(ball["radius"])
+    left, bottom, right, top = -inf, -inf, inf, inf
+    if end < inf:
+        left, bottom, right, top = path_box(path, begin, end)
+    state["box_tests"] += high - low
+    for k in range(low, high):
+        row = row_of(members[k])
+        shape = shapes[row]
+        if (
+            right + radius >= shape["left"]
+            and left - radius <= shape["right"]
+            and top + radius >= shape["bottom"]
+            and bottom - radius <= shape["top"]
+            and not is_moving(shape)
+            and may_collide(ball, shape)
+            and not is_related(relations, ball, row)
+        ):
+            state["full_tests"] += 1
+            time = impact_at_rest(shape, path, radius, event_age(flight))
+            if time is not None:
+                consider_shape(flight, shapes, 0.0 + time, row)
+            if is_entered_past_ends(ball, shape):
+                predict_entry(ball, flight, shape, row, begin)
+
+
+def is_entered_past_ends(ball: BallRow, shape: ShapeRow) -> bool:
+    """True if a ball may come onto a shape past one of its ends, and it matters when: for sensors with ends."""
+    if shape["sensor"] == 0 and ball["sensor"] == 0:
+        return False
+    return has_ends(shape["kind"])
+
+
+def consider_shape(flight: FlightRow, shapes: Table[ShapeRow], age: float, row: int) -> None:
+    """Make an impact with a shape the next event if it comes sooner; of impacts at one time points come first."""
+    if flight["event"] == HIT_SHAPE:
+        time, low = later(float(flight["time"]), float(flight["low"]), age)
+        if time == flight["event_time"] and low == flight["event_low"]:
+            kind, known = shapes[row]["kind"], shapes[flight["partner"]]["kind"]
+            if kind < known or (kind == known and row < flight["partner"]):
+                flight["partner"] = row
+            return
+    consider(flight, age, HIT_SHAPE, row)
+
+
+def is_related(relations: Table[RelationRow], ball: BallRow, row: int) -> bool:
+    """True if a ball passes a shape, is inside it as a sensor, or is held by it: no impact with it is to come."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["other"] == row and not is_of_balls(int(relations[place]["kind"])):
+            return True
+        place = int(relations[place]["next"])
+    return False
