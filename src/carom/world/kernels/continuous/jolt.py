@@ -85,10 +85,9 @@ def jolt(
         counts = (count, found)
     end_contacts(state, balls, shapes, relations, island, counts, speed, True)
     for k in range(count):
-        begin_now(
-            state, balls, shapes, order, index, cells, members, flights, relations, row_of(bodies[k]["ball"])
-        )  # fmt: skip
-        send_on(state, balls, flights, bodies[k], time, low)
+        i = row_of(bodies[k]["ball"])
+        begin_now(state, balls, shapes, order, index, cells, members, flights, relations, i)
+        fly_on_solved(state, balls[i], flights[i], bodies[k], time, low)
     let_loose(state, balls, flights, shapes, relations, bodies, count)
     return count
 
@@ -118,30 +117,18 @@ def list_wanted(
 def fly_on_solved(
     state: StateRow, ball: BallRow, flight: FlightRow, body: BodyRow, time: float, low: float
 ) -> None:  # fmt: skip
-    """Give a ball whose flight begins now the velocity and acceleration of its body, and the tick if it has none."""
+    """Give a ball whose flight begins now the velocity and acceleration of its body, up to what it is solved for.
+
+    That is the earliest tick among those solved with it. One that had a later tick may lie on them no more, and what
+    holds no longer than that must not be flown on.
+    """
     ball["vx"] = body["vx"]
     ball["vy"] = body["vy"]
     flight["ax"] = body["ax"]
     flight["ay"] = body["ay"]
     flight["energy"] = energy_of(state, ball)
-    if flight["tick_time"] == NO_TICK:
-        flight["tick_time"] = time
-        flight["tick_low"] = low
-
-
-def send_on(
-    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], body: BodyRow, time: float, low: float
-) -> None:  # fmt: skip
-    """Let the ball of a body, whose flight begins now, fly on as it was solved, up to its island's next tick."""
-    ball, flight = balls[body["ball"]], flights[body["ball"]]
-    ball["vx"] = body["vx"]
-    ball["vy"] = body["vy"]
-    flight["ax"] = body["ax"]
-    flight["ay"] = body["ay"]
-    flight["energy"] = energy_of(state, ball)
-    if flight["tick_time"] == NO_TICK:
-        flight["tick_time"] = time
-        flight["tick_low"] = low
+    flight["tick_time"] = time
+    flight["tick_low"] = low
 
 
 def widen(
