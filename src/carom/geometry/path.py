@@ -61,9 +61,3 @@ def path_beside(path: Path, turning: Turning) -> Path:
     """The path as seen by one who travels with a shape's pivot and does not turn, from where the shape is now."""
     x, y, vx, vy, gx, gy = path
     return Path(x, y, vx - turning.pivot_vx, vy - turning.pivot_vy, gx, gy)
-
-
-def path_back(path: Path) -> Path:
-    """The path the other way, as it came."""
-    x, y, vx, vy, gx, gy = path
-    return Path(x, y, -vx, -vy, gx, gy)

@@ -1,8 +1,8 @@
-"""Paths: where a ball is on one, and one as it goes on, goes back, and is seen from elsewhere."""
+"""Paths: where a ball is on one, and one as it goes on, and is seen from elsewhere."""
 
 import pytest
 
-from carom.geometry.path import Path, Turning, is_straight, path_after, path_back, path_beside, path_from, place_on
+from carom.geometry.path import Path, Turning, is_straight, path_after, path_beside, path_from, place_on
 
 THROWN = Path(1.0, 2.0, 3.0, 4.0, 0.0, -10.0)
 
@@ -17,10 +17,6 @@ def test_a_path_goes_on_as_it_would_have(time: float) -> None:
     rest = path_after(THROWN, time)
     assert (rest.vx, rest.vy) == (3.0, 4.0 - 10.0 * time)
     assert place_on(rest, 0.75) == pytest.approx(place_on(THROWN, time + 0.75), abs=1e-14)
-
-
-def test_the_way_back_leads_to_where_it_began() -> None:
-    assert place_on(path_back(path_after(THROWN, 0.5)), 0.5) == place_on(THROWN, 0.0)
 
 
 def test_a_path_is_seen_from_a_place_and_from_what_travels() -> None:
