@@ -1,5 +1,6 @@
 """The exceptions of carom: one family, so that one `except` clause can catch them all."""
 
+from collections.abc import Sequence
 from typing import Any
 
 
@@ -48,9 +49,9 @@ class ImpactLimit(CaromError, RuntimeError):
         hits: Those of the step until then, or of the run.
     """
 
-    def __init__(self, message: str, balls: list[int], time: float) -> None:
+    def __init__(self, message: str = "", balls: Sequence[int] = (), time: float = 0.0) -> None:
         super().__init__(message)
-        self.balls = balls
+        self.balls = list(balls)
         self.time = time
 
 

@@ -1,5 +1,6 @@
 """Steps end whatever happens in them, and everything stays finite."""
 
+import pickle
 from math import cos, pi, sin, tan
 from random import Random
 
@@ -32,6 +33,9 @@ def test_a_step_ends_where_a_ball_has_had_as_many_impacts_as_it_may_and_goes_on_
     assert np.asarray(free.step(1.0))["time"].tolist()[:200] == times
     assert limited.balls.velocity[0].tolist() == free.balls.velocity[0].tolist()
     assert limited.statistics.stalled == 0
+    # Another process that makes the step hands it on.
+    twin = pickle.loads(pickle.dumps(carom.ImpactLimit("too many", [3], 0.5)))
+    assert (str(twin), twin.balls, twin.time) == ("too many", [3], 0.5)
 
 
 def test_inelastic_collapse_ends() -> None:
