@@ -124,9 +124,10 @@ class Arrays:
         if self.states[0]["detection"] == DISCRETE:
             return tables
         bodies, contacts = self.island
-        if len(bodies) < len(self.balls.rows) or len(contacts) < len(self.relations):
-            # An island has no more balls than there are, and no more contacts than relations.
-            self.island = (np.zeros(len(self.balls.rows), BODY), np.zeros(len(self.relations), ISLAND_CONTACT))
+        if len(bodies) < len(self.balls.rows) or len(contacts) < len(self.relations) // 2:
+            # An island has no more balls than there are, and no more contacts than relations in use.
+            room = len(self.relations) // 2
+            self.island = (np.zeros(len(self.balls.rows), BODY), np.zeros(room, ISLAND_CONTACT))
         return (*tables, self.flights, self.queue, self.island)
 
     def prepare(self) -> None:
