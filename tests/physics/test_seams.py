@@ -227,8 +227,10 @@ def highest_hop(length: float, digits: int, speed: float, detection: str) -> flo
 def test_a_ball_rolls_over_a_map_whose_corners_were_rounded(
     length: float, digits: int, speed: float, detection: str
 ) -> None:
-    # Pieces of 0.1 rounded to 1e-3 turn by up to 0.02 rad: at 20, a hop of (20 * 0.02)² / 2g is 0.04 radii.
-    assert highest_hop(length, digits, speed, detection) < 0.1
+    # Pieces of 0.1 rounded to 1e-3 may turn by 0.02 rad at a joint, or a little more where both ends lie askew: at 20
+    # the hop that physics asks for is (20 * 0.02)² / 2g, 0.04 radii and more. The discrete mode overlooks some of it.
+    most = 0.05 if detection == "discrete" else 0.1
+    assert highest_hop(length, digits, speed, detection) < most
 
 
 def test_bricks_at_default_substeps_do_not_turn_the_ball_of_the_report() -> None:
