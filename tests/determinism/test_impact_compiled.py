@@ -11,7 +11,6 @@ from carom.geometry import (
     advance,
     arc,
     circle,
-    events,
     figures,
     gap,
     impact,
@@ -39,7 +38,6 @@ MODULES = (
     arc,
     overlap,
     roots,
-    events,
     response,
     reach,
     gap,
@@ -54,10 +52,6 @@ KINDS = ("point", "segment", "circle", "arc", "ball")
 DOORS = [
     roots.falling_time,
     roots.quadratic_roots,
-    events.leaving_time,
-    events.slowing_time,
-    events.stopping_time,
-    events.braked,
     response.rebounded,
     gap.placed,
     *[
