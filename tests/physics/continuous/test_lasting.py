@@ -11,6 +11,7 @@ import pytest
 from carom import Arc, Ball, Circle, Point, Segment, World, guard_points
 from carom.rows.relation import LASTING
 from carom.shapes.shape import Shape
+from tests.clock import within
 from tests.worlds import box, continuous_world, energy, guarded
 
 G = 10.0
@@ -104,6 +105,29 @@ def test_a_ball_that_slides_down_a_dome_leaves_it_at_two_thirds_of_its_height(fi
         assert len(world.step(1e-4 if at < 0.7 else 2e-3)) == 0
     assert ball.position[1] / hypot(*ball.position) == pytest.approx(2 / 3 * cos(first), abs=2e-4)
     assert energy(world) == pytest.approx(before, rel=1e-9)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", range(4))
+def test_whatever_a_ball_rolls_off_it_leaves_in_the_end(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    for _ in range(200):
+        size, radius, pull = 10.0 ** random.uniform((-1, -1, -1), (1, 1, 2))
+        center, angle = tuple(random.uniform(-5, 5, 2)), random.uniform(-0.5, 0.5)
+        elasticity = random.choice([0.0, 0.3, 0.5, 0.9, 1.0])
+        shape: Shape = Circle(center, size, elasticity=elasticity)
+        kind = random.integers(3)
+        if kind == 1:
+            shape, size = Point(center, elasticity=elasticity), 0.0
+        elif kind == 2:
+            shape.motion, shape.angular_velocity = "kinematic", random.uniform(-1, 1)
+        world = continuous_world(shape, gravity=(0.0, -pull))
+        away = size + radius
+        ball = world.add(Ball((center[0] + away * sin(angle), center[1] + away * cos(angle)), radius))
+        duration = 6 * sqrt(away / pull)
+        with within(20):
+            world.run(duration, dt=duration / 60)
+        assert hypot(ball.position[0] - center[0], ball.position[1] - center[1]) >= away * (1 - 1e-9)
 
 
 @pytest.mark.compiled

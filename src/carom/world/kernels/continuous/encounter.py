@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import fabs, inf
+from math import fabs, inf, sqrt
 
 from carom.constants import (
     JOINT_TURN,
@@ -150,10 +150,15 @@ def bounce(
         ball["vx"] -= u * nx
         ball["vy"] -= u * ny
         add_relation(state, relations, ball, i, LASTING, row)
-    elif s < 0.0:
+        return
+    if s < 0.0:
         if elasticity == 0.0 and kick == 0.0:
             part_least(ball, length(vx - ux, vy - uy), nx, ny)
         end_thrown(state, ball, flight, shapes, relations, nx, ny)
+    elif u <= LEAST_PART * length(vx - ux, vy - uy):
+        # It goes along the surface; rounding alone has found the impact, and would find it again.
+        pull = length(float(flight["ax"]), float(flight["ay"]))
+        part_least(ball, larger(length(vx - ux, vy - uy), sqrt(pull * radius)), nx, ny)
 
 
 def rebound_off(
