@@ -70,6 +70,7 @@ def named_on_the_page() -> set[str]:
     return set(re.findall(r"`([\w/<>]+\.py)`", PAGE.read_text(encoding="utf-8").partition("## Tests")[0]))
 
 
+@pytest.mark.slow
 def test_the_page_names_every_file_that_deals_with_kinds_and_no_other() -> None:
     assert named_on_the_page() - {"geometry/<kind>.py"} == files_that_deal_with_kinds()
 

@@ -27,6 +27,8 @@ from carom.geometry import (
 from tests.determinism.both_ways import functions, numba, register, result_bits
 from tests.flat import arguments, fields
 
+pytestmark = pytest.mark.slow
+
 CASES = 300
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
 MODULES = (

@@ -35,6 +35,7 @@ def test_every_way_gives_the_same_bits_again(digests: list[str]) -> None:
     assert [gone(detection=detection, broad_phase=phase).digest() for detection, phase in WAYS] == digests
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", ["0", "77"])
 def test_every_way_gives_the_same_bits_in_another_process(seed: str, digests: list[str]) -> None:
     assert fresh.printed(CODE, PYTHONHASHSEED=seed).split() == digests

@@ -46,6 +46,7 @@ def outcome(scene: str) -> tuple[str, str]:
     return world.digest(), hashlib.sha256(bits(hits)).hexdigest()
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("scene", SCENES)
 def test_compiled_and_interpreted(scene: str) -> None:

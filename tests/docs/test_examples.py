@@ -50,6 +50,7 @@ def test_the_gallery_is_all_examples_and_each_is_tested() -> None:
     assert len(names) >= 12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_an_example_shows_what_it_says(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -102,10 +102,12 @@ def test_shapes_alone_load_neither_the_compiler_nor_any_extra(statement: str) ->
     assert loaded_after(statement) & HEAVY == set()
 
 
+@pytest.mark.slow
 def test_a_world_that_is_not_stepped_loads_no_compiler() -> None:
     assert loaded_after("import carom; carom.World().add(carom.Point((0, 0)))") & HEAVY == set()
 
 
+@pytest.mark.slow
 def test_importing_warns_of_nothing() -> None:
     assert python("-W", "error", "-c", "import carom; carom.World; carom.Scene; carom.scenes") == ""
 

@@ -10,6 +10,8 @@ from carom.draw.theme import BALL_INKS, LIGHT
 from tests.pages.conftest import Replay
 from tests.pages.runs import bare_runs, changing_run, furnished_run
 
+pytestmark = pytest.mark.slow
+
 Opened = Callable[..., Replay]
 
 

@@ -15,6 +15,8 @@ from carom.world.hits import HitKind
 from tests.pages.conftest import Replay, text_of
 from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run, sleepy_run
 
+pytestmark = pytest.mark.slow
+
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 

@@ -51,6 +51,7 @@ def step_of(world: World, dt: float) -> Hits:
         return Hits.of(world, NO_ROWS) if limit.hits is None else limit.hits
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @given(st.integers(0, 2**32 - 1), st.sampled_from(["discrete", "continuous"]))
 def test_times_of_hits_lie_within_their_step_and_in_order(seed: int, detection: Any) -> None:

@@ -94,6 +94,7 @@ def test_a_coarser_path_is_no_worse() -> None:
     assert differ(bowl, lambda: Ball((-5.5, 9), 0.5, elasticity=0.5), 4.0, 5) <= 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("speed", [1.0, 8.0, 90.0])
 def test_a_ball_that_hops_along_a_path_of_pieces_never_falls_through(speed: float) -> None:

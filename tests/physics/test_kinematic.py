@@ -122,6 +122,7 @@ def test_the_substep_that_ends_at_a_stop_still_strikes() -> None:
     assert ball.velocity[1] == pytest.approx(2, rel=1e-2)
 
 
+@pytest.mark.compiled
 def test_a_million_small_turns_accumulate_no_drift() -> None:
     world = World(substeps=1000)
     hand = world.add(Segment((1, 2), (4, 7), motion="kinematic", pivot=(-3, 1), angular_velocity=2 * pi))

@@ -37,6 +37,7 @@ def assert_there(shape: Shape | Compound, place: tuple[float, float], orientatio
     assert shape.angular_velocity == 0.0
 
 
+@pytest.mark.slow
 @given(
     kinds,
     st.sampled_from(DETECTIONS),
@@ -63,6 +64,7 @@ def test_it_is_there_when_the_time_is_over_and_not_before(
                 assert_there(shape, place, orientation)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", MAKERS)
 def test_no_drift(kind: str) -> None:
     shape = MAKERS[kind]()

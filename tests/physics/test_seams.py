@@ -66,6 +66,7 @@ def reflected(ball: Vector, angle: float, elasticity: float) -> Vector:
     return turned((along, -elasticity * across), angle)
 
 
+@pytest.mark.slow
 @given(st.lists(st.floats(0.25, 3.0), min_size=1, max_size=4), angles, numbers(-1.0, 1.0), bounces, st.booleans())
 @example([1.0], 0.0, 0.02, (1.0, 50.0, 0.7, 0.2, 8), False)
 @example([0.25], 0.0, 0.0, (0.0, 34.0, 0.0, 2.0, 9), False)
@@ -83,6 +84,7 @@ def test_a_wall_of_bricks_reflects_as_one_wall_does(
     assert first_bounce(world, ball, 0.3) == pytest.approx(expected, abs=1e-9 * speed * radius)
 
 
+@pytest.mark.slow
 @given(st.integers(2, 9), numbers(5.0, 40.0), angles, numbers(0.0, 1.0), bounces, st.booleans())
 def test_a_wall_of_arcs_reflects_as_one_arc_does(
     pieces: int, size: float, angle: float, share: float, bounce: tuple[float, float, float, float, int], inside: bool

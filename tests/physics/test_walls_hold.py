@@ -106,6 +106,7 @@ def pressed_world(seed: int) -> tuple[World, Side]:
     return world, side
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1))
 def test_no_mover_pushes_a_ball_through_what_stands_still(seed: int) -> None:
     world, side = pressed_world(seed)

@@ -64,6 +64,7 @@ def test_every_shipped_scene_has_a_picture() -> None:
     assert set(RUNS) == set(carom.scenes.names())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("theme", [ThemeName.LIGHT, ThemeName.DARK, ThemeName.PRINT])
 @pytest.mark.parametrize("name", RUNS)
 def test_a_scene_looks_as_it_did(name: str, theme: ThemeName, renew: bool, tmp_path: Path) -> None:

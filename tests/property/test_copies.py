@@ -207,6 +207,7 @@ def check_worlds(world: Arena, twin: Arena) -> None:
     assert twin.digest() == world.digest()
 
 
+@pytest.mark.slow
 @each_way
 @settings(max_examples=20)
 @given(data=st.data())

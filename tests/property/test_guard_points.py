@@ -11,6 +11,8 @@ from carom.constants import GUARD_TOLERANCE
 from tests.naive_guards import ends_of, needs_guard
 from tests.strategies import angles, arcs, circles, motions, numbers, points, segments
 
+pytestmark = pytest.mark.slow
+
 Vector = tuple[float, float]
 
 walls = st.one_of(

@@ -67,6 +67,7 @@ def check_touch(figure: Figure, flight: Flight, carriage: Carriage, time: float)
     assert edge(figure, x, y) >= -2.0 * END_SLOP * flight.radius - tolerance
 
 
+@pytest.mark.slow
 @given(flights())
 def test_at_its_impact_a_ball_touches_and_none_is_missed_before(scene: tuple[Figure, Flight]) -> None:
     figure, flight = scene
@@ -80,6 +81,7 @@ def test_at_its_impact_a_ball_touches_and_none_is_missed_before(scene: tuple[Fig
     assert missed(figure, flight, STANDING, until, tolerance, SAMPLES) is None
 
 
+@pytest.mark.slow
 @given(flights(), carriages())
 def test_the_same_holds_for_shapes_that_move_and_turn(scene: tuple[Figure, Flight], carriage: Carriage) -> None:
     figure, flight = scene
@@ -94,6 +96,7 @@ def test_the_same_holds_for_shapes_that_move_and_turn(scene: tuple[Figure, Fligh
     assert missed(figure, flight, carriage, until, tolerance, SAMPLES) is None
 
 
+@pytest.mark.slow
 @given(flights(), st.integers(0, 8), st.integers(0, 6))
 def test_far_fast_and_small_agree_with_roots_in_sixty_digits(
     scene: tuple[Figure, Flight], speed_power: int, radius_power: int
@@ -116,6 +119,7 @@ def test_far_fast_and_small_agree_with_roots_in_sixty_digits(
     compare_with_exact(figure, flight)
 
 
+@pytest.mark.slow
 @given(figures, angles, st.integers(-12, -1), st.booleans(), st.floats(0.01, 10.0), pulls)
 def test_grazing_touches_are_told_from_misses(
     figure: Figure, direction: float, power: int, deep: bool, radius: float, pull: tuple[float, float]
@@ -162,6 +166,7 @@ def bend(flight: Flight) -> float:
     return hypot(flight.gx, flight.gy) + speed * speed / flight.radius
 
 
+@pytest.mark.slow
 @given(flights())
 def test_a_ball_that_is_thrown_back_has_no_impact_at_once(scene: tuple[Figure, Flight]) -> None:
     figure, flight = scene
@@ -181,6 +186,7 @@ def test_a_ball_that_is_thrown_back_has_no_impact_at_once(scene: tuple[Figure, F
     assert again is None or again > 0.0
 
 
+@pytest.mark.slow
 @given(flights(), motions)
 def test_moving_all_alike_changes_no_time(scene: tuple[Figure, Flight], motion: Motion) -> None:
     figure, flight = scene
@@ -242,6 +248,7 @@ def test_a_shape_that_does_not_turn_is_met_in_closed_form(scene: tuple[Figure, F
     assert carom_advance(figure, flight, carriage, 0.0) == carom_impact(figure, relative, 0.0)
 
 
+@pytest.mark.slow
 @given(meetings(), vectors, pulls)
 def test_a_deep_overlap_that_approaches_is_an_impact_now(
     meeting: tuple[Figure, Ball], velocity: tuple[float, float], pull: tuple[float, float]

@@ -4,6 +4,7 @@ from math import cos, inf, nextafter, sin
 from typing import Any
 
 import mpmath
+import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -83,6 +84,7 @@ def test_at_its_impact_a_ball_touches_to_a_few_units_in_the_last_place(case: Cas
         assert abs(gap(case, time or 0.0)) <= MOST * unit_in_last_place(case, time or 0.0)
 
 
+@pytest.mark.slow
 @given(cases())
 def test_a_touch_that_a_flight_was_led_back_from_is_not_missed(case: Case) -> None:
     # Where it approaches steeply, so that no rounding of its long way makes a miss of it.

@@ -64,6 +64,7 @@ def asked_at_once(question: Any, *arguments: Any, **options: Any) -> Any:
     return answers[0]
 
 
+@pytest.mark.slow
 @given(members, queries, st.sampled_from((0.0, 0.01, 1.0, 30.0)), st.booleans())
 def test_the_first_touch_is_that_of_the_member_that_is_touched_first(
     parts: Any, query: Any, radius: float, sensors: bool
@@ -126,6 +127,7 @@ def test_a_way_that_is_free_is_free_the_other_way_round(parts: Any, query: Any) 
         assert grazing or any(hypot(*np.subtract(hit.point, end)) < 1e-9 for end in ends)
 
 
+@pytest.mark.slow
 @given(members, strategies.points, st.booleans())
 def test_the_nearest_is_the_member_at_the_least_distance(parts: Any, point: Any, sensors: bool) -> None:
     world, shapes = peopled(parts)
@@ -159,6 +161,7 @@ def points_on(figure: strategies.Figure, count: int) -> Any:
     return rim, given[2] * turn / count
 
 
+@pytest.mark.slow
 @given(members, queries)
 def test_a_box_holds_the_members_that_come_into_it(parts: Any, corners: Any) -> None:
     world, shapes = peopled(parts)
@@ -177,6 +180,7 @@ def test_a_box_holds_the_members_that_come_into_it(parts: Any, corners: Any) -> 
         assert inside <= (shape in found) <= near
 
 
+@pytest.mark.slow
 @given(members)
 def test_overlaps_are_the_contacts_that_detect_finds(parts: Any) -> None:
     balls = [((kind, given), "ball") for (kind, given), _ in parts if kind in ("circle", "disc")]
@@ -197,6 +201,7 @@ def test_overlaps_are_the_contacts_that_detect_finds(parts: Any) -> None:
     assert list(world.contacts()) == expected
 
 
+@pytest.mark.slow
 @given(members, queries)
 def test_the_broad_phase_of_the_world_changes_no_answer(parts: Any, query: Any) -> None:
     answers = []

@@ -5,6 +5,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+import pytest
 import tomli_w
 from hypothesis import given
 from hypothesis import strategies as st
@@ -27,12 +28,14 @@ def through_file(scene: carom.Scene, ending: str) -> carom.Scene:
         return carom.Scene.load(Path(folder) / f"scene.{ending}")
 
 
+@pytest.mark.slow
 @given(tables_of_scenes, st.sampled_from(("toml", "json")))
 def test_a_scene_goes_through_a_file_bit_for_bit(table: dict[str, Any], ending: str) -> None:
     scene = carom.Scene(**table)
     assert repr(through_file(scene, ending)) == repr(scene)
 
 
+@pytest.mark.slow
 @given(tables_of_scenes)
 def test_a_scene_builds_a_world_that_gives_the_scene_back(table: dict[str, Any]) -> None:
     world = carom.Scene(**{**table, "guard": False}).build()
@@ -45,6 +48,7 @@ def test_a_scene_builds_a_world_that_gives_the_scene_back(table: dict[str, Any])
     assert first.world == second.world
 
 
+@pytest.mark.slow
 @given(tables_of_scenes, st.data())
 def test_any_change_is_taken_or_refused_as_a_whole(table: dict[str, Any], data: st.DataObject) -> None:
     path = data.draw(st.sampled_from(places(table)[1:] or [("guard",)]))
@@ -53,6 +57,7 @@ def test_any_change_is_taken_or_refused_as_a_whole(table: dict[str, Any], data: 
     assert isinstance(result, str) or repr(through_file(result, "json")) == repr(result)
 
 
+@pytest.mark.slow
 @given(tables_of_scenes, st.sampled_from(("toml", "json")), st.data())
 def test_a_damaged_file_is_a_scene_error(table: dict[str, Any], ending: str, data: st.DataObject) -> None:
     plain = carom.Scene(**table).plain()

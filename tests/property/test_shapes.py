@@ -148,6 +148,7 @@ def test_an_elastic_static_wall_keeps_the_speed(meeting: tuple[Figure, Numbers],
     assert hypot(*ball.velocity) == pytest.approx(hypot(*velocity), rel=1e-14)
 
 
+@pytest.mark.slow
 @given(balls, balls, vectors, vectors, masses, masses, elasticities)
 def test_pairs_keep_their_momentum_and_their_centre_of_mass(
     one: Numbers, other: Numbers, v1: Vector, v2: Vector, m1: float, m2: float, e: float
@@ -206,6 +207,7 @@ def test_only_the_last_turn_counts(figure: Figure, several: list[tuple[Vector, f
     assert (shape.position, shape.aabb) == (made(figure).position, made(figure).aabb)
 
 
+@pytest.mark.slow
 @given(meetings(), vectors, points, angles)
 def test_turning_shape_and_ball_turns_the_contact(
     meeting: tuple[Figure, Numbers], velocity: Vector, pivot: Vector, angle: float
@@ -267,6 +269,7 @@ def test_the_closest_point_is_on_the_shape_and_in_its_box(figure: Figure, p: Vec
 # -- state in step -----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @given(arcs(), arcs(), angles)
 def test_setting_an_arc_piece_by_piece_is_making_it_anew(
     arc: tuple[float, ...], other: tuple[float, ...], turn: float
@@ -313,6 +316,7 @@ def test_no_stop_is_ever_passed(figure: Figure, pivot: Vector, spin: float, reac
         assert (abs(shape.orientation), shape.angular_velocity) == (reach, 0.0)
 
 
+@pytest.mark.slow
 @given(st.lists(figures, min_size=1, max_size=4), points, points, angles)
 def test_a_compound_is_rigid(parts: list[Figure], pivot: Vector, other: Vector, angle: float) -> None:
     compound = carom.Compound([made(part) for part in parts], pivot)

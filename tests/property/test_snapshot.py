@@ -113,6 +113,7 @@ def test_no_snapshot_runs_code(world: carom.World) -> None:
     assert refused(world, sealed(file.getvalue() * 6))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(6))
 def test_what_is_crafted_by_chance_is_refused_or_is_a_world_that_goes_on(world: carom.World, part: int) -> None:
     good = world.snapshot()

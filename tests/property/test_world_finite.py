@@ -103,6 +103,7 @@ def assert_sound(world: World, hits: np.ndarray) -> None:
     assert world.statistics.sleeping == sum(ball.asleep for ball in world.balls)
 
 
+@pytest.mark.slow
 @given(st.lists(shapes(), max_size=6), st.lists(balls(), min_size=1, max_size=6), settings_of_worlds)
 def test_a_heap_of_anything_stays_finite(things: list[Shape], movers: list[Ball], settings: dict[str, Any]) -> None:
     world = World(**settings)

@@ -40,6 +40,7 @@ def crowds(draw: st.DrawFn) -> list[Ball]:
     return balls
 
 
+@pytest.mark.slow
 @given(crowds(), st.sampled_from((1, 2, 6, 9)))
 @example([(0.0, 0.0, 1.0), (2.0, 2.0, 1.0), (1e9, -1e9, 1.0), (2.002, 0.0, 1.0)], 6)
 def test_all_broad_phases_find_the_same_pairs_once(balls: list[Ball], levels: int) -> None:
@@ -63,6 +64,7 @@ def test_they_agree_on_a_lattice_of_cells_borders(places: list[tuple[int, int]])
     assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32), st.sampled_from(((1.0,), (1.0, 0.6), (1.0, 0.3), (1.0, 0.1, 0.01))), st.floats(1.0, 8.0))
 def test_they_agree_on_crowds_of_balls_of_one_size_and_of_a_few(
     seed: int, sizes: tuple[float, ...], width: float

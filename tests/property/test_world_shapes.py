@@ -30,6 +30,7 @@ def shape_of(figure: Figure, **options: object) -> Shape:
     return Circle((given[0], given[1]), given[2], solid=kind == "disc", **options)
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.tuples(strategies.figures, st.booleans()), min_size=1, max_size=12),
     st.lists(st.tuples(st.integers(0, 11), strategies.angles, strategies.fractions), min_size=1, max_size=8),
@@ -111,6 +112,7 @@ def room_of_shapes(phase: str, seed: int) -> World:
     return world
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10_000))
 def test_one_ball_runs_to_the_same_bits_under_all_broad_phases(seed: int) -> None:
     ends = []

@@ -172,6 +172,7 @@ def longest_rest(track: list[np.ndarray], within: float) -> int:
     return longest
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_pinball_plays_by_itself_for_minutes() -> None:
     world = scenes.pinball().build()
@@ -184,6 +185,7 @@ def test_pinball_plays_by_itself_for_minutes() -> None:
     assert longest_rest(track, 1.2) < 180
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_every_part_of_the_pinball_table_is_reached() -> None:
     world = scenes.pinball().build()
@@ -208,6 +210,7 @@ def test_the_first_ball_goes_up_the_lane_and_round_the_dome() -> None:
     assert world.balls[0].position[0] < 18.6
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_flippers_swing_between_their_stops_and_send_balls_up() -> None:
     world = scenes.pinball().build()

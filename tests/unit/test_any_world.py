@@ -265,6 +265,7 @@ MEMBERS: dict[type, set[str]] = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("story", STORIES)
 @pytest.mark.parametrize("call", CALLS)
 def test_every_call_takes_every_world(call: Callable[[Story, Path], None], story: str, tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ values = st.recursive(
 )
 
 
+@pytest.mark.slow
 @given(values, st.integers(1, 100))
 def test_what_is_written_is_what_repr_begins_with(value: Any, longest: int) -> None:
     whole = repr(value)

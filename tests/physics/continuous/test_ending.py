@@ -92,6 +92,7 @@ def test_substeps_and_iterations_change_nothing(seed: int) -> None:
         assert position.tolist() == found[0][1].tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @given(seed=st.integers(0, 2**32 - 1))
 def test_a_ball_shot_into_a_wedge_comes_out_of_it_or_to_rest_in_few_impacts(seed: int) -> None:

@@ -43,6 +43,7 @@ ROOMS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", ROOMS)
 def test_energy_of_one_ball(name: str) -> None:
@@ -51,6 +52,7 @@ def test_energy_of_one_ball(name: str) -> None:
     assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("pieces", [0, 1 + 4])
 @pytest.mark.parametrize("angle", [1.5, 0.1])

@@ -71,6 +71,7 @@ def test_pressure_of_discs(filled: float) -> None:
     assert pressure == pytest.approx(expected, rel=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_speeds_turn_maxwellian() -> None:
     world, _ = gas(0.35)

@@ -48,6 +48,7 @@ FLOORS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("floor", FLOORS)
 def test_energy_on_a(floor: str) -> None:

@@ -23,6 +23,7 @@ def once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Non
 # -- keys --------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [pygame.K_SPACE, pygame.K_RETURN, pygame.K_1], ids=["space", "return", "1"])
 def test_the_demonstration_goes_on_until_a_game_is_started(number: int) -> None:
     app, window = session()
@@ -228,6 +229,7 @@ def test_events_are_heard(monkeypatch: pytest.MonkeyPatch) -> None:
     assert {"start", "serve", "flipper"} <= set(heard)
 
 
+@pytest.mark.slow
 def test_run_plays_for_some_seconds_with_the_users_high_scores(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr("carom.play.pinball.rules.scores.default_path", lambda: tmp_path / "pinball.json")
     told: list[str] = []

@@ -114,6 +114,7 @@ def test_a_whole_game_is_played_with_keys_to_its_end_and_another_begins(renew: b
     assert app.game.ball_number == 1
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_game_is_the_same_at_any_frame_rate() -> None:
     digests = []
@@ -130,6 +131,7 @@ def test_the_game_is_the_same_at_any_frame_rate() -> None:
     assert digests[0] == digests[1] == digests[2]
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_demonstration_plays_well_by_itself_and_is_drawn_in_every_mode() -> None:
     app, window = session(seed=3)

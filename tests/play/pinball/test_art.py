@@ -43,6 +43,7 @@ def test_the_picture_shows_the_whole_table(world: carom.World) -> None:
         assert box.bottom > art.BOX.bottom
 
 
+@pytest.mark.slow
 def test_rails_and_trim_are_bright_where_balls_meet_them(world: carom.World, pictures: art.Art) -> None:
     names = {*art_parts.RAILS, "dome", "left wall", "right wall"}
     seen = set()
@@ -107,6 +108,7 @@ def test_drop_targets_look_other_when_down(pictures: art.Art) -> None:
         assert sum(pygame.transform.average_color(up)[:3]) > sum(pygame.transform.average_color(down)[:3])
 
 
+@pytest.mark.slow
 def test_the_art_is_the_same_each_time(world: carom.World, pictures: art.Art) -> None:
     again = art.Art(world)
     assert pygame.image.tobytes(again.ground, "RGB") == pygame.image.tobytes(pictures.ground, "RGB")

@@ -438,11 +438,13 @@ def scripted(seed: int, seconds: int) -> tuple[str, int]:
     return game.world.digest(), game.score
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_seed_and_presses_make_the_same_bits() -> None:
     assert scripted(5, 8) == scripted(5, 8) != scripted(6, 8)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_whole_game_by_scripted_presses_ends_by_itself() -> None:
     desk = Desk()

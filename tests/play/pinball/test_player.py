@@ -167,6 +167,7 @@ def test_a_ball_is_in_a_flippers_sweep_over_its_outer_part_alone(foresight: Fore
 # -- whole games -----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_self_played_games(request: pytest.FixtureRequest) -> None:
     """Every game ends, no ball strays or is lost, few come to rest; 1,000 games with `--campaign`."""
@@ -182,6 +183,7 @@ def test_self_played_games(request: pytest.FixtureRequest) -> None:
         assert sum(one.score for one in played) / count > 5.0 * sum(one.score for one in idle) / len(idle)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_demonstration_plays_by_itself_and_flips() -> None:
     game = Pinball(seed=2)

@@ -162,6 +162,7 @@ def again(table: Table, snapshot: bytes) -> None:
     table.left.pressed, table.right.pressed = True, False
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_caught_ball_can_be_shot_at_what_one_likes(table: Table) -> None:
     _, snapshot = cradled(table)

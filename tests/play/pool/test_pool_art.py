@@ -49,6 +49,7 @@ def test_the_outline_is_closed_and_has_no_jumps() -> None:
     assert len(pockets(Pool().world)) == 6
 
 
+@pytest.mark.slow
 def test_the_picture_shows_cloth_wood_and_dark_pockets() -> None:
     picture = table_picture().astype(int)
     world = Pool().world

@@ -114,6 +114,7 @@ def test_a_game_is_won_lost_and_played_again(renew: bool, tmp_path: Path) -> Non
     assert player.pool.phase is Phase.AIM
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_impacts_are_shown_while_the_balls_roll(renew: bool, tmp_path: Path) -> None:
     player = Player()
@@ -152,6 +153,7 @@ def test_step_by_step_the_balls_show_how_fast_they_are(renew: bool, tmp_path: Pa
     player.check("steps", renew, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_presses_show_the_same_picture() -> None:
     pictures = set()

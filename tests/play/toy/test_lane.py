@@ -66,6 +66,7 @@ def test_a_ball_that_came_back_is_shot_up_again() -> None:
     assert ball.velocity == (0.0, 20.0)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("radius", [0.1, 0.6])
 def test_launching_n_puts_n_balls_on_the_table_of_which_none_overlaps_another(radius: float) -> None:

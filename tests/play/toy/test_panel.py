@@ -72,6 +72,7 @@ def test_side_by_side_shows_two_tables_and_one_of_them_stays(player: Player) -> 
     assert [view.table for view in player.toy.views] == [second]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SLIDERS)
 def test_a_slider_goes_from_its_least_to_its_greatest_value(player: Player, name: str) -> None:
     for pixels, wanted in ((-FAR, SLIDERS[name].low), (FAR, SLIDERS[name].high)):
@@ -88,6 +89,7 @@ def test_a_slider_stops_on_its_steps(player: Player) -> None:
     assert value == player.world.gravity[1] * -1 == round(2 * value) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHOWN)
 def test_a_switch_of_what_is_shown_turns_its_layers_on_and_off(player: Player, name: str) -> None:
     before = SHOWN[name] <= player.desk.settings.layers

@@ -23,6 +23,7 @@ def words_on(player: Player) -> tuple[str, dict[str, str]]:
 # -- keys -------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", range(len(SHOWN)))
 def test_a_number_key_switches_a_layer(player: Player, place: int) -> None:
     name = list(SHOWN)[place]
@@ -31,6 +32,7 @@ def test_a_number_key_switches_a_layer(player: Player, place: int) -> None:
     assert player.desk.is_on(name) != before
 
 
+@pytest.mark.slow
 def test_every_key_presses_something_that_there_is(player: Player) -> None:
     for key in KEYS:
         player.key(key)
@@ -94,6 +96,7 @@ def test_a_held_ball_goes_where_the_mouse_is(player: Player) -> None:
     assert ball.position == pytest.approx((x + 0.4, y + 0.4), abs=0.1)
 
 
+@pytest.mark.slow
 def test_every_key_does_what_it_does_on_empty_tables_too(player: Player) -> None:
     player.key(pygame.K_c)
     for detection in ("continuous", "both"):
@@ -112,6 +115,7 @@ def test_a_click_beside_all_balls_holds_nothing(player: Player) -> None:
     assert player.desk.hand.ball is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "place", "wanted"),
     [
@@ -190,6 +194,7 @@ def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pyte
     assert player.world.time == pytest.approx(3 / 60)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: set[str] = set()
@@ -223,6 +228,7 @@ def test_screen_of_the_start(player: Player, renew: bool, tmp_path: Path) -> Non
     keep(player, "start", renew, tmp_path)
 
 
+@pytest.mark.slow
 def test_screen_of_all_layers(player: Player, renew: bool, tmp_path: Path) -> None:
     player.key(pygame.K_p)
     for name in SHOWN:
@@ -239,6 +245,7 @@ def test_screen_of_the_help(player: Player, renew: bool, tmp_path: Path) -> None
     keep(player, "help", renew, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_screen_of_two_tables(player: Player, renew: bool, tmp_path: Path) -> None:
     player.key(pygame.K_p)
@@ -251,6 +258,7 @@ def test_screen_of_two_tables(player: Player, renew: bool, tmp_path: Path) -> No
     keep(player, "side-by-side", renew, tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_screen_of_a_hundred_balls(player: Player, renew: bool, tmp_path: Path) -> None:
     player.desk.change("speed", 40)

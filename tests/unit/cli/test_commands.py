@@ -224,6 +224,7 @@ def command(*arguments: str) -> list[str]:
     return [sys.executable, "-c", "from carom.cli import main; main()", *arguments]
 
 
+@pytest.mark.slow
 def test_the_command_is_the_same_in_a_process_of_its_own(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     done = subprocess.run(command("check", "good.toml"), cwd=here, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "good: good: 1 shape, 1 ball\n")
@@ -246,6 +247,7 @@ main()
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="signals are sent the way of POSIX")
 def test_ctrl_c_stops_a_run_and_writes_what_was_asked(here: Path) -> None:
     outs = ("--out", "run.svg", "--out", "run.csv", "--out", "run.toml")

@@ -22,6 +22,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("game", GAMES)
 def test_a_game_is_played_for_the_seconds_that_are_given(game: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -31,6 +32,7 @@ def test_a_game_is_played_for_the_seconds_that_are_given(game: str, capsys: pyte
     assert " ms of work each (median), 99 % within " in out
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("game", GAMES)
 def test_without_a_sound_card_one_line_says_so_and_the_game_goes_on(
@@ -94,6 +96,7 @@ def test_a_mistake_is_told_before_anything_is_opened(
     assert list(here.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_chart_is_written(here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib", reason='no matplotlib: pip install "carom[study]"')
     from carom.play.toy import chart

@@ -17,6 +17,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_every_shipped_scene_is_found_and_has_a_line_about_it() -> None:
     assert tuple(source.name for source in shipped()) == carom.scenes.names()
     for source in shipped():

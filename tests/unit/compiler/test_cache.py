@@ -12,6 +12,7 @@ from tests.unit.compiler.one_kernel import ONE_KERNEL, STEPS, kept, one_kernel
 from tests.worlds import crowded
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_first_process_says_that_it_compiles_and_the_second_starts_at_once(tmp_path: Path) -> None:
     printed, told = one_kernel(tmp_path)
@@ -26,6 +27,7 @@ def test_the_first_process_says_that_it_compiles_and_the_second_starts_at_once(t
     assert kept(tmp_path) == files
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_step_that_was_compiled_before_starts_at_once_and_says_nothing(tmp_path: Path) -> None:
     crowded(balls=4).step(0.1)
@@ -54,6 +56,7 @@ def test_a_damaged_cache_does_no_harm(tmp_path: Path, ending: str) -> None:
     assert one_kernel(tmp_path)[0] == "3\n"
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_cache_folder_that_cannot_be_made_does_no_harm(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("in the way")
@@ -75,6 +78,7 @@ def test_a_cache_folder_that_cannot_be_written_to_does_no_harm_and_nothing_is_ke
     assert kept(tmp_path) == []
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a limit on the size of files")
 def test_a_full_disk_does_no_harm(tmp_path: Path) -> None:
@@ -82,6 +86,7 @@ def test_a_full_disk_does_no_harm(tmp_path: Path) -> None:
     assert one_kernel(tmp_path, limit + ONE_KERNEL)[0] == "3\n"
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_changed_callee_is_seen(tmp_path: Path) -> None:
     package = tmp_path / "package"

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 import carom
 from carom.compiler import door
 from carom.world.kernels.broad_phase.grid import cell_of
@@ -12,6 +14,7 @@ from tests.worlds import crowded
 WITHOUT_NUMBA = 'import sys; sys.modules["numba"] = None\n'
 
 
+@pytest.mark.slow
 def test_building_shapes_and_worlds_imports_no_compiler() -> None:
     code = """
 import sys, carom
@@ -23,6 +26,7 @@ print(sorted(name for name in sys.modules if name.partition(".")[0] in ("numba",
     assert fresh.printed(code) == "[]\n"
 
 
+@pytest.mark.slow
 def test_interpreted_and_without_numba_the_bits_are_the_same() -> None:
     world = crowded(balls=4)
     world.run(0.25)
@@ -30,6 +34,7 @@ def test_interpreted_and_without_numba_the_bits_are_the_same() -> None:
     assert fresh.printed(WITHOUT_NUMBA + STEPS).strip() == world.digest()
 
 
+@pytest.mark.slow
 def test_interpreted_nothing_is_said_or_kept(tmp_path: Path) -> None:
     assert one_kernel(tmp_path, NUMBA_DISABLE_JIT="1") == ("3\n", "")
     assert one_kernel(tmp_path, WITHOUT_NUMBA + ONE_KERNEL) == ("3\n", "")

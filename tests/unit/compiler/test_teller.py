@@ -41,6 +41,7 @@ def test_a_file_is_told_in_lines_and_a_terminal_how_far_it_is(monkeypatch: pytes
     assert text.splitlines()[-1].startswith("carom: compiled step discrete in ")
 
 
+@pytest.mark.slow
 def test_a_file_is_told_every_few_seconds_that_it_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(teller, "INTERVAL", 0.05)
     text = tell(io.StringIO(), monkeypatch, ["a", "b"], wait=0.6)
@@ -78,6 +79,7 @@ def test_once_it_is_over_or_was_interrupted_nothing_more_is_told(monkeypatch: py
         assert stream.getvalue().endswith("\n")
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_kernel_that_takes_long_says_so_in_the_meantime(tmp_path: Path) -> None:
     code = "from carom.compiler import teller; teller.INTERVAL = 0.02\n" + ONE_KERNEL

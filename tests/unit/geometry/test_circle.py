@@ -41,6 +41,7 @@ def test_a_point_on_the_circle_is_its_own_tangent_point(place: Vector) -> None:
     assert circle.tangent_points(0.0, 0.0, 5.0, *place) == place + place
 
 
+@pytest.mark.slow
 @given(circles, points)
 def test_the_closest_point_of_a_circle_counts_as_on_it(given_: Circle, q: Vector) -> None:
     place = circle.closest_on_circle(*given_, *q)

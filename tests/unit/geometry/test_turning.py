@@ -59,6 +59,7 @@ def test_the_bounds_know_how_a_circle_curves(form: int) -> None:
     assert gap1 == pytest.approx(gap2, abs=1e-12)
 
 
+@pytest.mark.slow
 @given(st.sampled_from((search.LINE, search.OUTER, search.INNER)), seeds)
 def test_the_first_fall_of_a_gap_is_found_where_many_moments_say(form: int, seed: int) -> None:
     random = Random(seed)

@@ -175,6 +175,7 @@ def test_a_saved_file_has_the_rights_of_any_new_file(tmp_path: Path) -> None:
     assert rights[0] == rights[1]
 
 
+@pytest.mark.slow
 @given(tables_of_scenes)
 def test_a_scene_is_written_as_by_the_slow_writer(table: dict[str, Any]) -> None:
     plain = carom.Scene(**table).plain()

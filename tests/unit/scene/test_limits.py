@@ -32,6 +32,7 @@ def test_settings_have_limits_with_reasons(name: str) -> None:
         carom.Scene(world=settings)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", [".toml", ".json"])
 def test_the_length_of_a_file(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"scene{ending}"

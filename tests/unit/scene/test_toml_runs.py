@@ -58,6 +58,7 @@ run = st.lists(plain.map(lambda given: "\n".join(["[[balls]]", *given])), min_si
 texts = st.lists(st.one_of(lines, run, run.map(lambda text: text.replace("balls", "shapes"))), max_size=8)
 
 
+@pytest.mark.slow
 @quick
 @given(texts.map("\n".join), st.sampled_from(["\n", ""]), st.integers(1, 3))
 def test_toml_with_runs_is_read_as_by_its_own_reader(

@@ -28,6 +28,7 @@ def some_shapes(random: Random, count: int) -> list[Shape]:
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("seed", "count"), [(1, 12), (2, 12), (3, 264)])
 def test_a_place_is_covered_by_what_is_near_moves_alike_and_does_not_end_there(seed: int, count: int) -> None:
     random = Random(seed)

@@ -120,6 +120,7 @@ def test_a_copy_of_what_is_in_a_world_is_lone() -> None:
     assert copy.copy(ball).id is None
 
 
+@pytest.mark.slow
 @each_member
 def test_a_member_can_be_held_weakly(member: Member) -> None:
     twin = copy.copy(member)

@@ -210,5 +210,6 @@ def test_without_matplotlib_one_line_says_what_to_install(
         plots.energy(gas)
 
 
+@pytest.mark.slow
 def test_importing_plots_does_not_import_matplotlib() -> None:
     assert printed("import sys, carom.study.plots; print('matplotlib' in sys.modules)").strip() == "False"

@@ -48,6 +48,7 @@ def scattered(detection: str = "discrete", **column: Any) -> World:
     return world
 
 
+@pytest.mark.slow
 @given(columns(6))
 def test_add_balls_makes_what_constructors_make(values: dict[str, list[Any]]) -> None:
     together = scattered(**values)
@@ -66,6 +67,7 @@ def test_add_balls_makes_what_constructors_make(values: dict[str, list[Any]]) ->
         assert [getattr(ball, name) for ball in together.balls] == [attribute(name, value) for value in given_values]
 
 
+@pytest.mark.slow
 @given(st.data())
 def test_one_value_stands_for_all(data: st.DataObject) -> None:
     values = {name: data.draw(strategy) for name, strategy in VALUES.items()}

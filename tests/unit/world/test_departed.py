@@ -64,6 +64,7 @@ def test_what_is_in_another_world_by_now_is_not_removed_from_the_one_that_it_lef
         world.remove(part.shapes[0])
 
 
+@pytest.mark.slow
 def test_hits_know_what_has_left_since_even_if_nobody_else_does() -> None:
     world = carom.World()
     world.add(carom.Segment((-5, 0), (5, 0)))

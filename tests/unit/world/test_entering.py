@@ -29,6 +29,7 @@ def made(kinds: list[str]) -> list[Thing]:
 kinds = st.lists(st.sampled_from(["point", "segment", "eye", "ball", "mill"]), max_size=12)
 
 
+@pytest.mark.slow
 @given(kinds)
 def test_one_call_does_what_one_call_for_each_does(kinds: list[str]) -> None:
     together, singly = World(), World()
@@ -42,6 +43,7 @@ def test_one_call_does_what_one_call_for_each_does(kinds: list[str]) -> None:
     assert list(together.balls) == [thing for thing in things if isinstance(thing, Ball)]
 
 
+@pytest.mark.slow
 @given(kinds, st.data())
 def test_one_removal_does_what_one_for_each_does(kinds: list[str], data: st.DataObject) -> None:
     together, singly = World(), World()

@@ -45,6 +45,7 @@ def room(seed: int) -> World:
     return world
 
 
+@pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1), aged=st.sampled_from([0.0, 0.3, 1.1]), seconds=st.sampled_from([1 / 60, 0.25]))
 def test_aim_tells_what_the_first_hit_of_the_ball_will_say(seed: int, aged: float, seconds: float) -> None:
     world = room(seed)
@@ -85,6 +86,7 @@ def test_ghost_and_directions_are_where_a_step_up_to_the_impact_leaves_both(seed
     assert after.velocity == pytest.approx((line.speed * expected[0], line.speed * expected[1]), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_nothing_to_meet_is_none_and_many_are_asked_at_once() -> None:
     world = World(detection="continuous", gravity=(0, -10))
     floor = world.add(Segment((-5, 0), (5, 0)))

@@ -155,6 +155,7 @@ def test_a_step_that_is_interrupted_has_not_begun(interpreted: None) -> None:
         assert world.digest() == before
 
 
+@pytest.mark.slow
 def test_a_world_goes_on_after_an_interrupt_while_its_room_grows(
     interpreted: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:

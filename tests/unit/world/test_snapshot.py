@@ -42,6 +42,7 @@ def test_a_restored_world_goes_on_to_the_same_bits(steps: int) -> None:
     assert twin.digest() == world.digest()
 
 
+@pytest.mark.slow
 def test_another_process_goes_on_to_the_same_bits_for_500_steps() -> None:
     world = busy(balls=6)
     told = fresh.printed(GO_ON, given=world.snapshot()).split()

@@ -336,6 +336,7 @@ assert together == {n: played(n) for n in range(6)}
 """
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_worlds_in_threads_of_their_own_give_the_bits_that_they_give_in_turn() -> None:
     started(TOGETHER)

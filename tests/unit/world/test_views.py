@@ -59,6 +59,7 @@ def shape_of(number: int) -> carom.Shape | carom.Compound:
     return carom.Compound([point], pivot=(0, 0)) if number % 5 == 0 else point
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
 def test_shapes_are_what_a_list_would_hold_whatever_comes_and_goes(seed: int) -> None:
     chance = random.Random(seed)

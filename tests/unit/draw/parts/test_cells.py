@@ -57,6 +57,7 @@ def test_drawing_cells_leaves_the_world_as_it_is() -> None:
     assert world.snapshot() == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("broad_phase", ["grid", "quadtree"])
 def test_cells_are_those_in_which_a_step_finds_shapes(broad_phase: str) -> None:
     world = crowded(broad_phase=broad_phase)

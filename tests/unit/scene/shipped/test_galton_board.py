@@ -50,6 +50,7 @@ def test_the_last_pegs_stand_over_the_walls_of_one_bin_more_than_rows(rows: int,
     assert max(side.end[0] for side in sides) == walls[-1].start[0] + 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rows", "balls"), [(4, 3000), (12, 4000), (30, 5000)])
 def test_the_fullest_bin_is_filled_as_far_as_is_said(rows: int, balls: int) -> None:
     (depth,) = {wall.end[1] for wall in bin_walls(galton(rows=rows, balls=balls))}

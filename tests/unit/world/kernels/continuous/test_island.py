@@ -77,6 +77,7 @@ def test_an_island_is_a_component_of_who_lies_on_whom_and_leaves_no_trace(seed: 
     assert (arrays.flights["body"] == 0).all()
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6))
 def test_who_lies_on_whom_is_known_to_both_whatever_begins_and_ends(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -121,6 +122,7 @@ def pit(random: np.random.Generator, rows: int = 3) -> Arrays:
     return heap(continuous_world(*shapes, *[Ball(tuple(places[k]), 0.5) for k in order], gravity=(0, -10)))
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6))
 def test_contacts_are_listed_once_each_what_stands_still_last(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -182,6 +184,7 @@ def test_contacts_with_what_is_not_there_any_more_end() -> None:
     assert pairs_of(arrays, LASTING) == {(0, 0)}
 
 
+@pytest.mark.slow
 @given(st.floats(-3, 3), st.booleans(), st.booleans(), st.floats(-0.01, 0.01))
 def test_a_surface_has_its_gap_normal_bend_and_velocity(angle: float, inside: bool, moving: bool, gap: float) -> None:
     motion = {"motion": "kinematic", "velocity": (0.5, -2), "angular_velocity": 3.0} if moving else {}

@@ -101,6 +101,7 @@ def test_a_blow_into_the_floor_is_felt_by_nobody_else(at: int) -> None:
         assert (arrays.balls.rows["vx"][i], arrays.balls.rows["vy"][i]) == pytest.approx((0, 0), abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("light", [1e-5, 1e-2, 1.0])
 def test_a_blow_along_a_chain_goes_as_far_as_it_is_felt(light: float) -> None:
     arrays = chain([light] + [1.0] * (LONG - 1))
@@ -146,6 +147,7 @@ def test_what_is_solved_agrees_with_solving_all(seed: int, size: float, elastici
     assert (arrays.flights["body"] == 0).all()
 
 
+@pytest.mark.slow
 def test_a_ball_that_is_met_is_taken_into_the_island_with_its_tick() -> None:
     arrays = chain()
     tick = float(arrays.flights["tick_time"][0])

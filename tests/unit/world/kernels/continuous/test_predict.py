@@ -87,6 +87,7 @@ def seen_from(arrays: Arrays, i: int, age: float) -> Event:
     raise AssertionError("a ball looks for ever")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("few", "broad_phase"), [(True, "grid"), (False, "grid"), (False, "brute"), (False, "quadtree")]
 )
@@ -145,6 +146,7 @@ def test_in_whatever_order_shapes_were_added_the_same_is_foreseen_to_the_bit(
     assert films[0] == films[1] == films[2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pull", [0.0, 4.0])
 @pytest.mark.parametrize("seed", range(3))
 def test_the_index_finds_what_asking_all_shapes_finds_to_the_bit(seed: int, pull: float) -> None:
@@ -156,6 +158,7 @@ def test_the_index_finds_what_asking_all_shapes_finds_to_the_bit(seed: int, pull
     assert sum(event[0] == HIT_SHAPE for event in films[0]) >= 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_the_front_of_the_queue_is_the_first_event_of_all_balls(seed: int) -> None:
     arrays = furnished(seed, False)

@@ -51,6 +51,7 @@ def touch_time(arrays: Arrays, i: int, j: int, times: np.ndarray) -> float:
     return float(times[np.argmax(near)]) if near.any() else inf
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_the_impact_that_is_foreseen_is_the_earliest_of_all(seed: int) -> None:
     arrays, times, seen = crowd(seed), np.linspace(0, SPAN, 401), 0

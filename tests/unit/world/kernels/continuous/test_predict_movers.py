@@ -73,6 +73,7 @@ def past_an_end(arrays: Arrays, age: float) -> bool:
     return gap is not None and gap[0] < -1e-3 * radius
 
 
+@pytest.mark.slow
 @KINDS
 @pytest.mark.parametrize("gravity", [(0.0, 0.0), (0.2, -1.5)])
 def test_what_is_foreseen_is_the_first_touch(kind: int, gravity: tuple[float, float]) -> None:

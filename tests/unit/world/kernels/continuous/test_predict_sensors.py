@@ -62,6 +62,7 @@ SENSORS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SENSORS)
 @pytest.mark.parametrize("gravity", [(0.0, 0.0), (0.3, -2.0)])
 def test_a_ball_is_on_a_sensor_first_where_its_entry_is_foreseen(name: str, gravity: tuple[float, float]) -> None:

@@ -18,6 +18,7 @@ def falling(bodies: Rows) -> Rows:
     return bodies
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.floats(0, 6))
 def test_velocities_do_not_approach_and_no_energy_is_gained(seed: int, decades: float) -> None:
     random = np.random.default_rng(seed)
@@ -83,6 +84,7 @@ def test_a_low_hop_is_stopped_and_a_high_one_goes_on() -> None:
         assert bodies["ay"][0] == pytest.approx(0 if expected == 0 else -10, abs=1e-9)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6))
 def test_forces_do_no_work(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -102,6 +104,7 @@ def test_forces_do_no_work(seed: int) -> None:
     assert contact_work(bodies, contacts, len(contacts)) <= 1e-11 * (1 + energy)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6))
 def test_where_forces_begin_does_not_matter(seed: int) -> None:
     random = np.random.default_rng(seed)

@@ -82,6 +82,7 @@ def approaches(arrays: Arrays, tau: float = 0.0) -> list[float]:
     return found
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.booleans(), st.booleans(), st.floats(-6, 3))
 def test_in_free_space_momentum_stays_energy_never_rises_and_nobody_approaches(
     seed: int, struck: bool, falls: bool, size: float
@@ -103,6 +104,7 @@ def test_in_free_space_momentum_stays_energy_never_rises_and_nobody_approaches(
     assert (arrays.flights["body"] == 0).all()
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.booleans(), st.sampled_from([0.0, 1e-3, 0.1, 3.0]))
 def test_on_a_floor_energy_never_rises_and_over_the_tick_nobody_approaches(
     seed: int, struck: bool, speed: float

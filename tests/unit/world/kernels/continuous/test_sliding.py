@@ -40,6 +40,7 @@ def in_fine_steps(
 numbers = st.floats(-2, 2)
 
 
+@pytest.mark.slow
 @given(numbers, numbers, numbers, numbers, numbers, numbers, numbers)
 def test_a_bead_goes_as_its_equations_say(
     bend: float, arm_x: float, arm_y: float, pull_x: float, pull_y: float, spin: float, speed: float

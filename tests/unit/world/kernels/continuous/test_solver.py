@@ -66,6 +66,7 @@ def speeds_after(bodies: Rows, contacts: Rows) -> np.ndarray:
     return np.asarray(jacobian(bodies, contacts) @ solved + contacts["bias"])
 
 
+@pytest.mark.slow
 @given(recipes)
 def test_nothing_approaches_what_presses_does_not_part_and_nothing_pulls(recipe: tuple[int, int, int]) -> None:
     bodies, contacts = island(recipe)
@@ -78,6 +79,7 @@ def test_nothing_approaches_what_presses_does_not_part_and_nothing_pulls(recipe:
     assert parting.max() <= worst + 1e-12
 
 
+@pytest.mark.slow
 @given(recipes)
 def test_impulses_are_what_velocities_have_changed_by_and_never_pull(recipe: tuple[int, int, int]) -> None:
     bodies, contacts = island(recipe)
@@ -89,6 +91,7 @@ def test_impulses_are_what_velocities_have_changed_by_and_never_pull(recipe: tup
     assert (np.abs(solved - change) <= 1e-12 * (1 + scale)).all()
 
 
+@pytest.mark.slow
 @given(recipes)
 def test_it_agrees_with_a_slow_twin(recipe: tuple[int, int, int]) -> None:
     bodies, contacts = island(recipe, decades=2.0)
@@ -99,6 +102,7 @@ def test_it_agrees_with_a_slow_twin(recipe: tuple[int, int, int]) -> None:
     assert difference.sum() <= 1e-20 * (1 + kinetic_energy(bodies))
 
 
+@pytest.mark.slow
 @given(recipes, st.integers(0, 3))
 def test_without_shapes_momentum_stays_and_energy_never_rises(recipe: tuple[int, int, int], rounds: int) -> None:
     bodies, contacts = island(recipe, shapes=False)
@@ -110,6 +114,7 @@ def test_without_shapes_momentum_stays_and_energy_never_rises(recipe: tuple[int,
     assert np.abs(momentum(bodies) - before).max() <= 1e-14 * scale
 
 
+@pytest.mark.slow
 @given(recipes, st.integers(1, 4))
 def test_at_resting_shapes_energy_never_rises_wherever_it_is_cut_off(recipe: tuple[int, int, int], rounds: int) -> None:
     bodies, contacts = island(recipe)
@@ -119,6 +124,7 @@ def test_at_resting_shapes_energy_never_rises_wherever_it_is_cut_off(recipe: tup
     assert kinetic_energy(bodies, "wx", "wy") <= energy * (1 + 1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heavy", [1.0, 1e3, 1e6])
 @pytest.mark.parametrize("count", [3, 30, 100])
 @pytest.mark.parametrize("falling", [True, False])
@@ -135,6 +141,7 @@ def test_stacks_under_a_heavy_ball_are_solved(count: int, heavy: float, falling:
         assert contacts["impulse"] == pytest.approx(weights, rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rows", "heavy"), [(7, 1.0), (7, 1e3), (10, 1.0)])
 def test_pyramids_between_walls_are_solved_though_their_forces_are_not_unique(rows: int, heavy: float) -> None:
     places, links = pyramid(rows)
@@ -218,6 +225,7 @@ for rows in range(2, 7):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_bits_compiled_and_interpreted() -> None:
     compiled = printed(PROGRAM)

@@ -51,6 +51,7 @@ def test_a_moving_shape_throws_a_ball() -> None:
     assert bodies["vy"][0] == 6
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.sampled_from([0.0, 0.3, 0.9, 1.0]), st.sampled_from([0.0, 1e-3, 0.1]), st.booleans())
 def test_momentum_stays_energy_never_rises_and_nothing_approaches(
     seed: int, elasticity: float, speed: float, walls: bool
