@@ -64,6 +64,8 @@ class IslandContactRow(TypedDict):
     bend: f8  # along the normal from the ball's centre to the surface's centre of curvature; 0 where it is straight
     elasticity: f8
     force: f8  # over the last tick; where the next solve begins
+    force_x: f8  # as it was solved last, on the first body, whose acceleration it is a part of
+    force_y: f8
     impulse: f8
     effective_mass: f8
     residual: f8

@@ -19,7 +19,8 @@ LYING = 4  # two balls are pressed together, and both have the relation to each 
 class RelationRow(TypedDict):
     """A row of `RELATION`."""
 
-    force: f8  # with which the other presses the ball, over the tick of its island; 0 outside of islands
+    force_x: f8  # with which the other presses the ball, over the tick of its island; 0 outside of islands
+    force_y: f8
     kind: i4
     ball: i4
     other: i4

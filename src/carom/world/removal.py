@@ -13,8 +13,8 @@ from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation, is_of_balls
 from carom.world.tables import Arrays
 
-#: A relation outside of the pool: kind, row of the ball, row of the other, force.
-Relation = tuple[int, int, int, float]
+#: A relation outside of the pool: kind, row of the ball, row of the other, force on the ball along x and y.
+Relation = tuple[int, int, int, float, float]
 
 
 def relations_in_order(arrays: Arrays) -> list[Relation]:
@@ -26,7 +26,8 @@ def relations_in_order(arrays: Arrays) -> list[Relation]:
             index = int(balls[i]["relation"])
             while index != NO_RELATION:
                 relation: RelationRow = arrays.relations[index]
-                found.append((int(relation["kind"]), int(i), int(relation["other"]), float(relation["force"])))
+                force_x, force_y = float(relation["force_x"]), float(relation["force_y"])
+                found.append((int(relation["kind"]), int(i), int(relation["other"]), force_x, force_y))
                 index = int(relation["next"])
     return found
 
@@ -38,10 +39,11 @@ def set_relations(arrays: Arrays, relations: list[Relation]) -> None:
     state["free_relation"] = NO_RELATION
     arrays.balls.used["relation"] = NO_RELATION
     arrays.extend_relations(len(relations))
-    for kind, ball, other, force in reversed(relations):
+    for kind, ball, other, force_x, force_y in reversed(relations):
         row = arrays.balls.rows[ball]
         add_relation(state, arrays.relations, row, ball, kind, other)
-        arrays.relations[row["relation"]]["force"] = force
+        arrays.relations[row["relation"]]["force_x"] = force_x
+        arrays.relations[row["relation"]]["force_y"] = force_y
 
 
 def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
@@ -49,14 +51,14 @@ def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.boo
     kept: list[Relation] = []
     new_ball = np.cumsum(~balls) - 1
     new_shape = np.cumsum(~shapes) - 1
-    for kind, ball, other, force in relations_in_order(arrays):
+    for kind, ball, other, force_x, force_y in relations_in_order(arrays):
         others, gone = (arrays.balls.used, balls) if is_of_balls(kind) else (arrays.shapes.used, shapes)
         if balls[ball] or gone[other]:
             if kind in (INSIDE_SHAPE, INSIDE_BALL):
                 _exit(arrays, arrays.balls.used[ball], others[other])
         else:
             moved = new_ball if is_of_balls(kind) else new_shape
-            kept.append((kind, int(new_ball[ball]), int(moved[other]), force))
+            kept.append((kind, int(new_ball[ball]), int(moved[other]), force_x, force_y))
     asleep = int(np.count_nonzero(arrays.balls.used["asleep"][balls]))
     arrays.states[0]["sleeping"] -= asleep
     if len(arrays.saved) >= len(balls):

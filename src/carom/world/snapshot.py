@@ -69,7 +69,7 @@ def _payload(world: World, left_out: tuple[str, ...] = ()) -> bytes:
     balls["relation"] = NO_RELATION
     for field in ("sensor", "can_collide"):
         balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
-    relations = np.array(relations_in_order(arrays), "f8").reshape(-1, 4)
+    relations = np.array(relations_in_order(arrays), "f8").reshape(-1, 5)
     text = np.frombuffer(json.dumps(_header(world), sort_keys=True).encode(), "u1")
     file = io.BytesIO()
     pending = arrays.hits[: int(arrays.states[0]["hits"])]

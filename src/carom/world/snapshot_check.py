@@ -51,7 +51,7 @@ class Contents:
     @property
     def relation_list(self) -> list[Relation]:
         """The relations as they are outside of a pool."""
-        return [(int(kind), int(ball), int(other), force) for kind, ball, other, force in self.relations.tolist()]
+        return [(int(kind), int(ball), int(other), *force) for kind, ball, other, *force in self.relations.tolist()]
 
 
 def check_contents(contents: Contents) -> None:
@@ -156,17 +156,17 @@ def _agrees(values: tuple[Any, ...]) -> bool:
 
 def _check_relations(contents: Contents) -> None:
     """Raise where a relation is of rows that are not there, or of kinds that have none."""
-    need(contents.relations.shape[1] == 4, "relations of another form")
+    need(contents.relations.shape[1] == 5, "relations of another form")
     need(np.isfinite(contents.relations).all(), "relations that are not finite")
     need((contents.relations[:, :3] % 1.0 == 0.0).all(), "relations of no rows")
-    need((contents.relations[:, 3] >= 0.0).all(), "relations that pull")
-    for kind, ball, other, _force in contents.relation_list:
+    for kind, ball, other, _x, _y in contents.relation_list:
         others = contents.balls if is_of_balls(kind) else contents.shapes
         need(kind in (PASSING, INSIDE_SHAPE, INSIDE_BALL, LASTING, LYING), "relations of unknown kinds")
         need(0 <= ball < len(contents.balls) and 0 <= other < len(others), "relations of unknown rows")
         need(kind != INSIDE_BALL or other < ball, "relations of balls in the wrong order")
-    lying = {(ball, other) for kind, ball, other, _force in contents.relation_list if kind == LYING}
-    need(all(i != j and (j, i) in lying for i, j in lying), "balls that lie on each other by halves")
+    lying = {(ball, other): (x, y) for kind, ball, other, x, y in contents.relation_list if kind == LYING}
+    both = all(i != j and lying.get((j, i)) == (-x, -y) for (i, j), (x, y) in lying.items())
+    need(both, "balls that lie on each other by halves")
     need(len({relation[:3] for relation in contents.relation_list}) == len(contents.relations), "a relation twice")
 
 

@@ -209,6 +209,26 @@ def test_a_piston_lifts_a_stack(speed: float) -> None:
 
 
 @pytest.mark.compiled
+@pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cluster_that_is_hit_from_all_sides_keeps_its_momentum(seed: int, elasticity: float) -> None:
+    random = np.random.default_rng(seed)
+    world = World(detection="continuous")
+    lattice = [(c + 0.5 * r, r * 0.75**0.5) for r in range(-2, 3) for c in range(-2, 3) if abs(r + c) <= 2]
+    world.add(*(Ball(place, 0.5, mass=10 ** random.uniform(-1, 1), elasticity=elasticity) for place in lattice))
+    for angle in random.uniform(0, 2 * np.pi, 1) + np.arange(4) * 1.5:
+        out = np.array([np.cos(angle), np.sin(angle)])
+        across = random.uniform(-2, 2) * np.array([-out[1], out[0]])
+        world.add(Ball(5 * out + across, 0.5, velocity=-3 * out, elasticity=elasticity))
+    mass = world.balls.mass[:, None]
+    before = (mass * world.balls.velocity).sum(axis=0)
+    for _ in range(20):
+        with within(SOON):
+            world.run(1)
+        assert (mass * world.balls.velocity).sum(axis=0) == pytest.approx(before, abs=1e-12 * mass.sum())
+
+
+@pytest.mark.compiled
 def test_touching_balls_hit_from_both_ends_keep_their_momentum() -> None:
     world = World(detection="continuous")
     for k in range(30):

@@ -147,18 +147,23 @@ def test_impossible_shapes_are_refused(world: carom.World) -> None:
 )
 def test_a_relation_of_nothing_is_refused(world: carom.World, relation: tuple[int, int, int]) -> None:
     parts = taken_apart(world.snapshot())
-    relations = np.concatenate([parts.relations, np.array([(*relation, 0.0)])])
+    relations = np.concatenate([parts.relations, np.array([(*relation, 0.0, 0.0)])])
     assert refused(world, put_together(parts._replace(relations=relations)))
 
 
 def test_balls_that_lie_on_each_other_do_so_both(world: carom.World) -> None:
     parts = taken_apart(world.snapshot())
-    for rows in ([(LYING, 0, 1, 2.0)], [(LYING, 0, 0, 2.0)], [(LYING, 0, 1, 2.0), (LYING, 1, 2, 2.0)]):
+    for rows in (
+        [(LYING, 0, 1, 2.0, 0.0)],
+        [(LYING, 0, 0, 2.0, 0.0)],
+        [(LYING, 0, 1, 2.0, 0.0), (LYING, 1, 2, -2.0, 0.0)],
+        [(LYING, 0, 1, 2.0, 0.0), (LYING, 1, 0, 2.0, 0.0)],
+    ):
         relations = np.concatenate([parts.relations, np.array(rows)])
         assert refused(world, put_together(parts._replace(relations=relations)))
 
 
-@pytest.mark.parametrize(("column", "value"), [(0, 0.5), (1, 0.5), (2, 0.5), (3, NAN), (3, INF), (3, -1.0)])
+@pytest.mark.parametrize(("column", "value"), [(0, 0.5), (1, 0.5), (2, 0.5), (3, NAN), (4, INF)])
 def test_a_relation_that_is_no_row_or_has_no_force_is_refused(world: carom.World, column: int, value: float) -> None:
     parts = taken_apart(world.snapshot())
     parts.relations[0, column] += value
@@ -170,7 +175,7 @@ def test_relations_that_cannot_be_are_refused(world: carom.World) -> None:
     for relations in (
         np.concatenate([parts.relations, parts.relations[:1]]),
         parts.relations.astype("i4"),
-        parts.relations[:, :3].copy(),
+        parts.relations[:, :4].copy(),
         parts.relations.T.copy(),
         parts.relations.ravel(),
         parts.relations[:, :2].copy(),

@@ -176,7 +176,7 @@ def fill_contacts(
                 partner = int(flights[other]["body"]) - 1
                 if partner < k or bodies[partner]["core"] == 0:
                     contact = contacts[found]
-                    clear(contact, k, partner, float(relations[place]["force"]))
+                    clear(contact, k, partner, relations[place])
                     contact["elasticity"] = float(balls[i]["elasticity"]) * float(balls[other]["elasticity"])
                     found += 1
             place = int(relations[place]["next"])
@@ -208,7 +208,7 @@ def fill_shapes(
         ends = False
         if relations[place]["kind"] == LASTING and is_moving(shapes[row]) == moving:
             contact = contacts[found]
-            clear(contact, k, NO_BODY, float(relations[place]["force"]))
+            clear(contact, k, NO_BODY, relations[place])
             contact["shape"] = row
             contact["elasticity"] = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
             ends = not (may_collide(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
@@ -221,12 +221,15 @@ def fill_shapes(
     return found
 
 
-def clear(contact: IslandContactRow, first: int, second: int, force: float) -> None:
+def clear(contact: IslandContactRow, first: int, second: int, relation: RelationRow) -> None:
     """Begin a contact with the force that it had."""
+    force_x, force_y = float(relation["force_x"]), float(relation["force_y"])
     contact["first"] = first
     contact["second"] = second
     contact["lasting"] = 1
-    contact["force"] = force
+    contact["force"] = length(force_x, force_y)
+    contact["force_x"] = force_x
+    contact["force_y"] = force_y
     contact["impulse"] = 0.0
     contact["bend"] = 0.0
     contact["gap"] = 0.0

@@ -111,6 +111,7 @@ def resolve_accelerations(
         body["ay"] = gy + share * ((float(body["wy"]) - float(body["vy"])) / tau - gy)
     for q in range(count):
         contacts[q]["force"] *= share
+    aim_forces(contacts, count)
     return worst
 
 
@@ -124,6 +125,7 @@ def adjust_accelerations(
     body_count, count = counts
     weigh_contacts(bodies, contacts, count, False)
     aim_means(bodies, contacts, count, tau)
+    turn_forces(bodies, contacts, count)
     for i in range(body_count):
         body = bodies[i]
         body["wx"] = float(body["vx"]) + tau * float(body["ax"])
@@ -135,6 +137,7 @@ def adjust_accelerations(
         body = bodies[i]
         body["ax"] = (float(body["wx"]) - float(body["vx"])) / tau
         body["ay"] = (float(body["wy"]) - float(body["vy"])) / tau
+    aim_forces(contacts, count)
     return worst
 
 
@@ -163,6 +166,33 @@ def aim_means(bodies: Table[BodyRow], contacts: Table[IslandContactRow], count: 
         if gap > 0.0:
             bias += 2.0 * gap / tau
         contact["bias"] = vx * float(contact["nx"]) + vy * float(contact["ny"]) + bias
+
+
+def turn_forces(bodies: Table[BodyRow], contacts: Table[IslandContactRow], count: int) -> None:
+    """Let accelerations contain the contacts' forces along the normals that they have now.
+
+    What is left of an old direction on one side would be lost when the other one leaves, and momentum with it.
+    """
+    for q in range(count):
+        contact = contacts[q]
+        force = float(contact["force"])
+        dx = force * float(contact["nx"]) - float(contact["force_x"])
+        dy = force * float(contact["ny"]) - float(contact["force_y"])
+        first = bodies[contact["first"]]
+        first["ax"] += float(first["inverse_mass"]) * dx
+        first["ay"] += float(first["inverse_mass"]) * dy
+        if contact["second"] != NO_BODY:
+            second = bodies[contact["second"]]
+            second["ax"] -= float(second["inverse_mass"]) * dx
+            second["ay"] -= float(second["inverse_mass"]) * dy
+
+
+def aim_forces(contacts: Table[IslandContactRow], count: int) -> None:
+    """Keep the forces as vectors: later their normals are others."""
+    for q in range(count):
+        contact = contacts[q]
+        contact["force_x"] = float(contact["force"]) * float(contact["nx"])
+        contact["force_y"] = float(contact["force"]) * float(contact["ny"])
 
 
 def load_contacts(

@@ -50,7 +50,7 @@ from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.relaxation import contact_speed
 from carom.world.kernels.continuous.resolve import aim_contacts, resolve_accelerations, resolve_velocities
 from carom.world.kernels.continuous.spreading import resolve_impact
-from carom.world.kernels.step.relations import add_relation, drop_kind, set_force
+from carom.world.kernels.step.relations import add_relation, drop_kind, set_force, set_no_forces
 
 
 def settle(
@@ -98,7 +98,7 @@ def settle(
         aim_at_middle(state, shapes, island, found, tau)
         resolve_accelerations(bodies, contacts, counts, tau, TICK_SHARE * tau * pull)
     else:
-        fly_straight(bodies, count)
+        fly_straight(bodies, contacts, counts)
     store_forces(balls, relations, island, found)
     end_contacts(state, balls, shapes, relations, island, counts, speed, pull > 0.0)
     time, low = later(float(state["now"]), float(state["now_low"]), tau) if tau < inf else (NO_TICK, 0.0)
@@ -142,6 +142,7 @@ def let_loose(
             flights[i]["tick_time"] = NO_TICK
             flights[i]["quiet"] = 0
             flights[i]["surplus"] = 0.0
+            set_no_forces(relations, balls[i])
             hold(state, balls[i], flights[i], shapes, relations, True)
 
 
@@ -218,11 +219,15 @@ def shift_places(
     return 0.0 if moved else take_energy(bodies, counts[0], after - before, frame)
 
 
-def fly_straight(bodies: Table[BodyRow], count: int) -> None:
-    """Give bodies the accelerations that they have without contacts."""
-    for k in range(count):
+def fly_straight(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int]) -> None:
+    """Give bodies the accelerations that they have without contacts, and these no forces."""
+    for k in range(counts[0]):
         bodies[k]["ax"] = bodies[k]["gx"]
         bodies[k]["ay"] = bodies[k]["gy"]
+    for q in range(counts[1]):
+        contacts[q]["force"] = 0.0
+        contacts[q]["force_x"] = 0.0
+        contacts[q]["force_y"] = 0.0
 
 
 def end_contacts(
@@ -274,13 +279,14 @@ def store_forces(
     bodies, contacts = island
     for q in range(count):
         contact = contacts[q]
-        i, force = row_of(bodies[contact["first"]]["ball"]), float(contact["force"])
+        i = row_of(bodies[contact["first"]]["ball"])
+        force_x, force_y = float(contact["force_x"]), float(contact["force_y"])
         if contact["second"] == NO_BODY:
-            set_force(relations, balls[i], LASTING, row_of(contact["shape"]), force)
+            set_force(relations, balls[i], LASTING, row_of(contact["shape"]), force_x, force_y)
         else:
             j = row_of(bodies[contact["second"]]["ball"])
-            set_force(relations, balls[i], LYING, j, force)
-            set_force(relations, balls[j], LYING, i, force)
+            set_force(relations, balls[i], LYING, j, force_x, force_y)
+            set_force(relations, balls[j], LYING, i, -force_x, -force_y)
 
 
 def put_back(

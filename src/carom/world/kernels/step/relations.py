@@ -40,7 +40,8 @@ def add_relation(
     else:
         state["free_relation"] = relations[place]["next"]
     relation = relations[place]
-    relation["force"] = 0.0
+    relation["force_x"] = 0.0
+    relation["force_y"] = 0.0
     relation["kind"] = kind
     relation["ball"] = ball_row
     relation["other"] = other
@@ -49,13 +50,25 @@ def add_relation(
     state["relations"] += 1
 
 
-def set_force(relations: Table[RelationRow], ball: BallRow, kind: int, other: int, force: float) -> None:
-    """Keep the force of the relation `kind` of a ball to row `other`, if there is one."""
+def set_force(
+    relations: Table[RelationRow], ball: BallRow, kind: int, other: int, force_x: float, force_y: float
+) -> None:
+    """Keep the force on a ball of its relation `kind` to row `other`, if there is one."""
     place = int(ball["relation"])
     while place != NO_RELATION:
         if relations[place]["kind"] == kind and relations[place]["other"] == other:
-            relations[place]["force"] = force
+            relations[place]["force_x"] = force_x
+            relations[place]["force_y"] = force_y
             return
+        place = int(relations[place]["next"])
+
+
+def set_no_forces(relations: Table[RelationRow], ball: BallRow) -> None:
+    """Forget the forces of all relations of a ball."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        relations[place]["force_x"] = 0.0
+        relations[place]["force_y"] = 0.0
         place = int(relations[place]["next"])
 
 

@@ -129,9 +129,9 @@ def test_contacts_are_listed_once_each_what_stands_still_last(seed: int) -> None
     arrays = pit(random)
     rows, relations = arrays.balls.rows, arrays.relations
     for i, j in pairs_of(arrays):
-        set_force(relations, rows[i], LYING, j, float(min(i, j) + 10 * max(i, j)))
+        set_force(relations, rows[i], LYING, j, 0.0, float(min(i, j) + 10 * max(i, j)))
     for i, row in pairs_of(arrays, LASTING):
-        set_force(relations, rows[i], LASTING, row, 1000.0 + i + 10 * row)
+        set_force(relations, rows[i], LASTING, row, 1000.0 + i + 10 * row, 0.0)
     count, found = taken_apart(arrays, [int(i) for i in random.permutation(arrays.balls.count)])
     bodies, contacts = arrays.island[0][:count], arrays.island[1][:found]
     pairs = contacts[contacts["second"] != NO_BODY]
