@@ -15,7 +15,7 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import continuous, drawing, galton, gas, memory, pinball, play, rooms, scaling, startup
+from benchmarks import continuous, drawing, galton, gas, heaps, memory, pinball, play, rooms, scaling, startup
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
@@ -23,6 +23,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "galton": galton,
     "pinball": pinball,
     "continuous": continuous,
+    "heaps": heaps,
     "rooms": rooms,
     "scaling": scaling,
     "drawing": drawing,
