@@ -342,7 +342,7 @@ ELASTIC_VISITS = 32
 
 #: Share of the speed below which a contact does not rebound: slower approaches do not spread. Smaller, and impacts
 #: reach farther into heaps than can be seen.
-IMPACT_SHARE = 1e-3
+IMPACT_SHARE = 3e-2
 
 #: Relative to an island's fastest ball: approaches below this are rounding of its velocities, and do not spread.
 SPEED_ROUNDING = 1e-14
@@ -393,7 +393,7 @@ SQUEEZE_DEEP = 0.5
 
 #: Share of the speed below which contacts of an island do not rebound: a ball that an event elsewhere pushes by more
 #: within the tick is solved with it. Smaller costs; larger, and the balls around it do work.
-JOLT_SHARE = 1e-3
+JOLT_SHARE = 5e-2
 
-#: The same as `TICK_SHARE` for such an event.
-JOLT_TOLERANCE = 1e-4
+#: Share of the same speed down to which accelerations are solved after such an event.
+JOLT_TOLERANCE = 5e-3

@@ -96,7 +96,7 @@ def impact_with_shape(
         ball["x"] = x
         ball["y"] = y
     bounce(state, ball, flight, i, shapes, row, hits, relations, gap, nx, ny)
-    if is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"])) and not lies(relations, ball):
+    if not lies(relations, ball) and is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"]), False):
         stop_between(state, ball, flight, shapes, order, index, cells, members, row, nx, ny)
 
 
@@ -123,7 +123,7 @@ def bounce(
     s = dot(vx - ux, vy - uy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
     count_impact(ball, flight, elasticity, max(-s, 0.0))
-    tired = is_tired(flight, elasticity)
+    tired = is_tired(flight, elasticity, lies(relations, ball))
     elasticity = 0.0 if tired else elasticity
     state["held"] += 1 if tired and s < 0.0 else 0
     kick = float(shape["kick"])
@@ -359,10 +359,10 @@ def impact_of_balls(
     # What rounding alone has found counts too, or it would be found without end.
     count_impact(first, flights[i], elasticity, larger(u1 - u2, 0.0))
     count_impact(second, flights[j], elasticity, larger(u1 - u2, 0.0))
-    tired = is_tired(flights[i], elasticity) or is_tired(flights[j], elasticity)
-    radius = min(float(first["radius"]), float(second["radius"]))
+    in_heap = lies(relations, first) or lies(relations, second)
+    tired = is_tired(flights[i], elasticity, in_heap) or is_tired(flights[j], elasticity, in_heap)
     press = pressing(state, first, flights[i], second, flights[j], relations, nx, ny)
-    quiet = lasting_speed(press, radius, elasticity)
+    quiet = lasting_speed(press, min(float(first["radius"]), float(second["radius"])), elasticity)
     rest_speed = float(state["rest_speed"])
     rebound = u1 - u2 if rest_speed >= 0.0 else elasticity * (u1 - u2)
     slowest = quiet if rest_speed < 0.0 or press <= 0.0 else rest_speed
@@ -471,9 +471,15 @@ def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
         flight["slow_for"] = 0.0
 
 
-def is_tired(flight: FlightRow, elasticity: float) -> bool:
-    """True for a ball whose impacts, at an elasticity, follow too close on one another to be told apart."""
-    return bool(flight["short"] > (SHORT_FLIGHTS if elasticity < 1.0 else SHORT_ELASTIC_FLIGHTS))
+def is_tired(flight: FlightRow, elasticity: float, in_heap: bool) -> bool:
+    """True for a ball whose impacts, at an elasticity, follow too close on one another to be told apart.
+
+    What lies behind a ball of a heap throws it back at once onto what it has met, whatever its elasticity: there the
+    second impact takes the rest, as all that would follow together do.
+    """
+    if elasticity >= 1.0:
+        return bool(flight["short"] > SHORT_ELASTIC_FLIGHTS)
+    return bool(flight["short"] > (0 if in_heap else SHORT_FLIGHTS))
 
 
 def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:

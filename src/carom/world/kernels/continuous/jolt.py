@@ -76,7 +76,7 @@ def jolt(
             break
     while True:
         aim_at_middle(state, shapes, island, found, tau)
-        adjust_accelerations(bodies, contacts, counts, tau, JOLT_TOLERANCE * tau * pull)
+        adjust_accelerations(bodies, contacts, counts, tau, JOLT_TOLERANCE * speed)
         store_forces(balls, relations, island, found)
         if not take_in_pushed(flights, bodies, count, tau, JOLT_SHARE * speed):
             break

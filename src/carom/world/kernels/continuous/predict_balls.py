@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import fabs, inf
 
 from carom.constants import BIN_REACH, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
@@ -16,7 +16,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
 from carom.world.kernels.continuous.bins import leash
-from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at
+from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at, place_after
 from carom.world.kernels.continuous.instants import is_before, later
 from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
@@ -92,23 +92,23 @@ def predict_cells(
 
 
 def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> bool:
-    """False for most pairs that do not meet: those that fall alike, and part or near too slowly to touch in time."""
-    ax, ay = flight["ax"], flight["ay"]
-    if partner["kind"] != FLYING or partner["ax"] != ax or partner["ay"] != ay:
-        return True
-    # Seen from the other, the ball moves straight: both have the same acceleration.
+    """False for most pairs that do not meet before what is to come for the ball: too far, or parting."""
     back = age_at(partner, float(flight["time"]), float(flight["low"]))
-    wx = ball["vx"] - (other["vx"] + ax * back)
-    wy = ball["vy"] - (other["vy"] + ay * back)
-    dx = ball["x"] - (other["x"] + (other["vx"] + 0.5 * ax * back) * back)
-    dy = ball["y"] - (other["y"] + (other["vy"] + 0.5 * ay * back) * back)
+    x, y, vx, vy = place_after(other, partner, back)
+    dx, dy, wx, wy = ball["x"] - x, ball["y"] - y, ball["vx"] - vx, ball["vy"] - vy
+    gx, gy = flight["ax"], flight["ay"]
+    if partner["kind"] == FLYING:
+        gx, gy = gx - partner["ax"], gy - partner["ay"]
     reach = ball["radius"] + other["radius"]
-    nearing = dx * wx + dy * wy
-    gap = (dx * dx + dy * dy) - reach * reach
-    if gap < 0.0:
-        return True
     # The margin is for rounding: who is left out must not depend on what else was found before.
-    return bool(nearing < 0.0 and gap + 2.0 * nearing * (event_age(flight) * SWEEP_ROUNDING) <= 0.0)
+    duration = event_age(flight) * SWEEP_ROUNDING
+    if gx == 0.0 and gy == 0.0:
+        # Seen from the other, the ball moves straight.
+        gap = (dx * dx + dy * dy) - reach * reach
+        nearing = dx * wx + dy * wy
+        return bool(gap < 0.0 or (nearing < 0.0 and gap + 2.0 * nearing * duration <= 0.0))
+    way = ((fabs(wx) + fabs(wy)) + 0.5 * (fabs(gx) + fabs(gy)) * duration) * duration
+    return not dx * dx + dy * dy > (reach + way) * (reach + way)
 
 
 def pair_begin(flight: FlightRow, partner: FlightRow) -> tuple[float, float]:

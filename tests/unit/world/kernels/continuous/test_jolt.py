@@ -109,7 +109,7 @@ def test_a_blow_along_a_chain_goes_as_far_as_it_is_felt(light: float) -> None:
     strike(arrays, 0, (0.5, 0.0))
     whole = copied(arrays)
     count = jolted(arrays, 0, struck=True)
-    assert (count < 8) == (light < 1e-4)
+    assert (count < 8) == (light < 0.1)
     listed = set(arrays.island[0]["ball"][:count].tolist())
     assert all(same(arrays, before, i) for i in range(LONG) if i not in listed)
     jolted_whole(whole, 0)

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from carom.constants import IMPACT_SHARE
 from carom.rows.island import NO_BODY
 from carom.world.kernels.continuous.spreading import resolve_impact
 from tests.islands import body_rows, contact_rows, counts_of, kinetic_energy, momentum, pyramid, stack, touching
@@ -66,7 +67,7 @@ def test_momentum_stays_energy_never_rises_and_nothing_approaches(
     contacts = contact_rows(links, elasticity)
     energy, before = kinetic_energy(bodies), momentum(bodies)
     worst = resolve_impact(bodies, contacts, counts_of(bodies, contacts), speed)
-    assert worst <= max(1e-3 * speed, 1e-12)
+    assert worst <= max(IMPACT_SHARE * speed, 1e-12)
     assert kinetic_energy(bodies) <= energy * (1 + 1e-14)
     if not walls:
         assert np.abs(momentum(bodies) - before).max() <= 1e-14 * np.abs(before).max() * len(links)
