@@ -15,8 +15,6 @@ from carom.world.hits import HitKind
 from tests.pages.conftest import Replay, text_of
 from tests.pages.runs import NASTY, bare_runs, furnished_run, nasty_run, sleepy_run
 
-pytestmark = pytest.mark.slow
-
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
@@ -35,12 +33,14 @@ def test_it_loads_without_a_word_and_without_the_network(opened: Opened) -> None
     assert len(replay.asked) == 1
 
 
+@pytest.mark.slow
 def test_it_may_not_use_the_network_even_if_it_tried(opened: Opened) -> None:
     replay = opened(furnished_run())
     tried = "fetch('data:text/plain,words').then(() => 'loaded', () => 'refused')"
     assert replay(tried) == "refused"
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize("name", bare_runs())
 def test_every_run_is_shown_without_a_word(opened: Opened, name: str) -> None:
@@ -54,6 +54,7 @@ def test_every_run_is_shown_without_a_word(opened: Opened, name: str) -> None:
     assert replay.said == []
 
 
+@pytest.mark.slow
 def test_a_page_that_is_damaged_says_so(browser: Browser, tmp_path: Path) -> None:
     path = tmp_path / "damaged.html"
     path.write_text(re.sub('"pieces":"[^"]*"', '"pieces":"AAAA"', text_of(furnished_run())), encoding="utf-8")
@@ -64,6 +65,7 @@ def test_a_page_that_is_damaged_says_so(browser: Browser, tmp_path: Path) -> Non
     page.close()
 
 
+@pytest.mark.slow
 def test_it_plays_in_the_frame_that_notebooks_show(browser: Browser) -> None:
     page = browser.new_page(viewport={"width": 850, "height": 600})
     said: list[str] = []
@@ -98,6 +100,7 @@ def test_it_plays_pauses_and_plays_again(opened: Opened) -> None:
     assert replay("replay.player.playing")
 
 
+@pytest.mark.slow
 def test_it_stops_at_the_end(opened: Opened) -> None:
     replay = opened(furnished_run())
     replay.seek(1.9)
@@ -107,6 +110,7 @@ def test_it_stops_at_the_end(opened: Opened) -> None:
     assert replay.page.inner_text("#time") == "2.000"
 
 
+@pytest.mark.slow
 def test_time_goes_on_as_fast_as_was_chosen(opened: Opened) -> None:
     replay = opened(furnished_run())
     passed = (
@@ -124,6 +128,7 @@ def test_time_goes_on_as_fast_as_was_chosen(opened: Opened) -> None:
     assert replay.page.input_value("#speed") == "1"
 
 
+@pytest.mark.slow
 def test_it_scrubs(opened: Opened) -> None:
     replay = opened(furnished_run())
     box = replay.page.locator("#scrub").bounding_box()
@@ -140,6 +145,7 @@ def test_it_scrubs(opened: Opened) -> None:
     assert float(replay.page.inner_text("#time")) == pytest.approx(replay.time, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_it_steps_from_frame_to_frame(opened: Opened) -> None:
     replay = opened(furnished_run())
     times = furnished_run().times
@@ -166,6 +172,7 @@ def test_it_steps_from_frame_to_frame(opened: Opened) -> None:
 # -- hits --------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_hit_in_the_list_leads_to_it(opened: Opened) -> None:
     replay = opened(furnished_run())
     hits = furnished_run().hits
@@ -179,6 +186,7 @@ def test_a_hit_in_the_list_leads_to_it(opened: Opened) -> None:
     assert replay.page.locator(".row.now").count() == 1
 
 
+@pytest.mark.slow
 def test_the_ball_touches_what_it_hits(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()
@@ -198,6 +206,7 @@ def test_the_ball_touches_what_it_hits(opened: Opened) -> None:
     assert met > 0
 
 
+@pytest.mark.slow
 def test_the_next_and_the_last_hit_are_a_key_away(opened: Opened) -> None:
     replay = opened(furnished_run())
     times = np.unique(furnished_run().hits["time"])
@@ -211,6 +220,7 @@ def test_the_next_and_the_last_hit_are_a_key_away(opened: Opened) -> None:
     assert replay.time == pytest.approx(times[0], abs=1e-8)
 
 
+@pytest.mark.slow
 def test_every_tab_is_reached_by_keys_and_leaves_the_space_bar_free(opened: Opened) -> None:
     replay = opened(furnished_run())
     replay.page.focus("#tab-hits")
@@ -223,6 +233,7 @@ def test_every_tab_is_reached_by_keys_and_leaves_the_space_bar_free(opened: Open
     assert replay("replay.player.playing")
 
 
+@pytest.mark.slow
 def test_the_list_can_be_filtered_by_name(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()
@@ -241,6 +252,7 @@ def test_the_list_can_be_filtered_by_name(opened: Opened) -> None:
     assert replay.page.is_visible("#rows")
 
 
+@pytest.mark.slow
 def test_the_list_says_what_it_leaves_out(opened: Opened) -> None:
     replay = opened(furnished_run())
     kept = len(furnished_run().hits)
@@ -248,6 +260,7 @@ def test_the_list_says_what_it_leaves_out(opened: Opened) -> None:
     assert replay.page.inner_text("#hits-note") == f"the {kept} strongest of 1,234,567 hits"
 
 
+@pytest.mark.slow
 def test_the_statistics_are_those_of_the_run(opened: Opened) -> None:
     replay = opened(furnished_run())
     recording = furnished_run()
@@ -260,6 +273,7 @@ def test_the_statistics_are_those_of_the_run(opened: Opened) -> None:
     assert f"box tests {recording.statistics['box_tests']:,}" in words
 
 
+@pytest.mark.slow
 def test_the_statistics_know_who_sleeps(opened: Opened) -> None:
     replay = opened(sleepy_run())
     asleep = sleepy_run().asleep
@@ -274,6 +288,7 @@ def test_the_statistics_know_who_sleeps(opened: Opened) -> None:
 # -- looks -------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_names_stay_text(opened: Opened) -> None:
     replay = opened(nasty_run())
     assert replay.page.text_content("#name") == replay.page.text_content("#about") == NASTY
@@ -286,6 +301,7 @@ def test_names_stay_text(opened: Opened) -> None:
     assert replay.said == []
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize("layer", Layer)
 def test_every_layer_can_be_switched(opened: Opened, layer: Layer) -> None:
@@ -301,6 +317,7 @@ def test_every_layer_can_be_switched(opened: Opened, layer: Layer) -> None:
     assert replay.picture() == before
 
 
+@pytest.mark.slow
 def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> None:
     corner = (0.3, 7.7)
     light, dark = opened(furnished_run()), opened(furnished_run(), scheme="dark")
@@ -311,6 +328,7 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
     assert dark.pixel(*corner) == "#fffefb"
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("width", "height"),
