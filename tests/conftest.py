@@ -14,6 +14,9 @@ settings.register_profile("repeatable", deadline=None, derandomize=True, suppres
 settings.register_profile("interpreted", settings.get_profile("repeatable"), max_examples=10)
 settings.register_profile("explore", deadline=None, max_examples=2000, print_blob=True)
 
+# What a test sees must not depend on when a compiler is done; tests of compiling in the background say so themselves.
+os.environ.setdefault("CAROM_COMPILE", "wait")
+
 INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "interpreted" if INTERPRETED else "repeatable"))
 

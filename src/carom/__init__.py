@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.errors import (
     CaromError,
+    CompileError,
     ImpactLimit,
     InvalidArgument,
     LostObject,
@@ -45,9 +46,11 @@ from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
     from carom import draw, study
+    from carom.compiler.child import compiling
     from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
+    from carom.world.ahead import compile
 
 __version__ = "0.1.0"
 
@@ -59,6 +62,7 @@ __all__ = [
     "CaromError",
     "CastHit",
     "Circle",
+    "CompileError",
     "Compound",
     "Contact",
     "Gate",
@@ -86,6 +90,8 @@ __all__ = [
     "WorldBusy",
     "__version__",
     "angle_to_vector",
+    "compile",
+    "compiling",
     "draw",
     "guard_points",
     "normalize",
@@ -105,6 +111,8 @@ _LAZY = {
     "Hits": "carom.world",
     "Neighbor": "carom.world",
     "World": "carom.world",
+    "compile": "carom.world.ahead",
+    "compiling": "carom.compiler.child",
     "Recorder": "carom.record",
     "Recording": "carom.record",
     "Scene": "carom.scene",

@@ -65,3 +65,7 @@ class LostObject(CaromError, LookupError):
 
 class MissingExtra(CaromError, ImportError):
     """A package is not installed; the message says what needs it, and what to install."""
+
+
+class CompileError(CaromError, RuntimeError):
+    """Kernels were to be compiled and kept, and cannot be; the message says why."""

@@ -25,6 +25,7 @@ HEAVY = {
     "rich",
     "tomli_w",
     "platformdirs",
+    "filelock",
 }
 
 

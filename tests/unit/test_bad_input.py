@@ -27,6 +27,7 @@ ELSEWHERE = {
     "scenes",
     "Motion",
     "__version__",
+    "compile",
 }
 
 NO_NUMBERS = [nan, inf, -inf, "1", b"1", None, True, [1.0], 10**400, 1j]
@@ -140,6 +141,7 @@ GOOD: dict[str, Callable[[], dict[str, Any]]] = {
     "Point": lambda: {"position": (1, 2)},
     "Segment": lambda: {"start": (1, 2), "end": (5, 4)},
     "angle_to_vector": lambda: {"a": 1.0},
+    "compiling": dict,
     "guard_points": lambda: {"shapes": [carom.Segment((0, 0), (1, 1))]},
     "normalize": lambda: {"v": (1, 2)},
     "normalize_angle": lambda: {"a": 1.0},

@@ -201,6 +201,16 @@ def scenes(
 
 
 @app.command()
+def compile() -> None:
+    """Compile now what worlds need.
+
+    None of them has to wait for it then, or is interpreted at first. It takes some minutes, once on a machine; compiled
+    code is kept in the user's cache folder, or in CAROM_CACHE_DIR.
+    """
+    commands.compile_ahead()
+
+
+@app.command()
 def toy(
     chart: Annotated[
         bool, typer.Option("--chart", help="Write a chart of box tests against balls instead, for the broad phases.")

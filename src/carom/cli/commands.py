@@ -40,6 +40,18 @@ def tell_version() -> None:
     typer.echo(f"carom {carom.__version__}")
 
 
+def compile_ahead() -> None:
+    """Compile all kernels, and print what was done and where it is."""
+    done = carom.compile()
+    for name, seconds in done.seconds.items():
+        typer.echo(f"{name.replace('_', ' '):<20}{seconds:7.1f} s")
+    if done.seconds:
+        was_there = f", {report.counted(len(done.kept), 'kernel')} were there" if done.kept else ""
+        typer.echo(f"compiled {report.counted(len(done.seconds), 'kernel')}{was_there}; all are kept in {done.folder}")
+    else:
+        typer.echo(f"everything is there: {report.counted(len(done.kept), 'kernel')} in {done.folder}")
+
+
 def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> None:
     """Run a scene, print what happened, write the files."""
     source = find(scene)

@@ -41,8 +41,8 @@ def cache_folder() -> Path:
     return Path(platformdirs.user_cache_dir("carom")) / source_hash()
 
 
-def cached(numba: Any, function: Kernel) -> Kernel:
-    """The function, to be compiled when it is called and kept in the cache folder, if that can be written to."""
+def cached(numba: Any, function: Kernel) -> Any:
+    """The function, to be compiled when it is called and kept on disk; None where that cannot be written to."""
     folder = cache_folder()
     before = numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(folder)
@@ -50,15 +50,22 @@ def cached(numba: Any, function: Kernel) -> Kernel:
         folder.mkdir(parents=True, exist_ok=True)
         kernel: Any = numba.njit(cache=True, **OPTIONS)(function)
     except (OSError, RuntimeError):
-        return uncached(numba, function)
+        return None
     finally:
         numba.config.CACHE_DIR = before
     # Where the folder refuses, Numba turns to one beside the sources, where it would not see that a callee has changed.
-    kept_there = Path(kernel.stats.cache_path).is_relative_to(folder)
-    return kernel if kept_there else uncached(numba, function)
+    return kernel if Path(kernel.stats.cache_path).is_relative_to(folder) else None
 
 
-def uncached(numba: Any, function: Kernel) -> Kernel:
+def uncached(numba: Any, function: Kernel) -> Any:
     """The function, to be compiled when it is called and forgotten when the process ends."""
-    kernel: Kernel = numba.njit(**OPTIONS)(function)
-    return kernel
+    return numba.njit(**OPTIONS)(function)
+
+
+def forget(kernel: Any, function: Kernel) -> None:
+    """Take what is kept of a kernel out of the cache folder, for it is damaged."""
+    for file in Path(kernel.stats.cache_path).glob(f"*.{function.__name__}-*.nb[ic]"):
+        try:
+            file.unlink(missing_ok=True)
+        except OSError:
+            return

@@ -1,6 +1,8 @@
 """The one door to Numba: kernels are compiled when a world first needs them.
 
-With `NUMBA_DISABLE_JIT=1`, or without Numba, the same functions run interpreted, bit for bit the same, slowly.
+By default they run interpreted, bit for bit the same, until a child process has compiled them into the cache on disk.
+`CAROM_COMPILE` says otherwise: with `wait` the caller waits for them, with `off` they are always interpreted, as they
+are with `NUMBA_DISABLE_JIT=1` and without Numba.
 """
 
 from __future__ import annotations
@@ -11,9 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from carom.compiler.cache import cached, uncached
+from carom import checks
+from carom.compiler import child
+from carom.compiler.behind import Behind, NotKept, Size
+from carom.compiler.cache import cache_folder, cached, forget, uncached
 from carom.compiler.kernels import Kernel, kernel_functions
+from carom.compiler.lock import claimed
 from carom.compiler.teller import Teller
+from carom.errors import CompileError
+
+#: The variable that says who waits for the compiler, and what it may say.
+VARIABLE = "CAROM_COMPILE"
+BACKGROUND, WAIT, OFF = WAYS = ("background", "wait", "off")
 
 _loaded: dict[Kernel, Kernel] = {}
 _registered: list[Kernel] = []
@@ -22,26 +33,72 @@ _registered: list[Kernel] = []
 _compiling = threading.RLock()
 
 
-def load(function: Kernel) -> Kernel:
-    """The kernel `function`, compiled where Numba is there and not switched off."""
+def one(*_: Any) -> tuple[int, float]:
+    """The size of a call that is always small: see `Size`."""
+    return 1, 1.0
+
+
+def load(function: Kernel, size: Size = one) -> Kernel:
+    """The kernel `function`, compiled where it is, or will be by and by; `size` says how much work a call of it is."""
     if function not in _loaded:
-        _loaded[function] = _compile(function)
+        _loaded[function] = _opened(function, size)
     return _loaded[function]
 
 
-def _compile(function: Kernel) -> Kernel:
-    """The function compiled by Numba, or the function itself."""
+def keep(function: Kernel, arguments: tuple[Any, ...]) -> float | None:
+    """Seconds that it took to compile the kernel `function` for `arguments` and keep it; None if it was there.
+
+    Raises:
+        CompileError: There is no compiler, it is switched off, or nothing can be kept.
+    """
+    if way() == OFF:
+        raise CompileError(f"nothing is compiled: {VARIABLE} is {OFF!r}")
+    numba = _numba()
+    if numba is None:
+        raise CompileError("nothing is compiled: Numba is not installed, or switched off by NUMBA_DISABLE_JIT")
+    entry = Entry(numba, function)
+    if not entry.lasting:
+        raise CompileError(f"compiled code cannot be kept: {cache_folder()} cannot be written to")
+    with _compiling:
+        try:
+            _loaded[function], seconds = entry.kept(arguments), None
+        except NotKept:
+            _loaded[function], seconds = entry.made(arguments)
+    if not entry.lasting:
+        raise CompileError(f"compiled code cannot be kept: {cache_folder()} is full")
+    return seconds
+
+
+def way() -> str:
+    """What `CAROM_COMPILE` says; raises `InvalidArgument` where that is nothing it may say."""
+    return checks.one_of(VARIABLE, os.environ.get(VARIABLE) or BACKGROUND, WAYS)
+
+
+def _opened(function: Kernel, size: Size) -> Kernel:
+    """The function as it is to be called from now on, until it replaces that by something better."""
+    chosen = way()
+    numba = None if chosen == OFF else _numba()
+    if numba is None:
+        return _quiet(function)
+    entry = Entry(numba, function)
+    if chosen == BACKGROUND and entry.lasting and child.possible():
+        return Behind(function, _quiet(function), size, entry, _compiling)
+    return _first_call(entry)
+
+
+def _numba() -> Any:
+    """Numba, which knows of all kernels; None where it is missing or switched off."""
     # SVML gives other last bits than the C library does, so it must be off before Numba is first imported.
     os.environ.setdefault("NUMBA_DISABLE_INTEL_SVML", "1")
     try:
         import numba
     except ImportError:
-        return _quiet(function)
+        return None
     config: Any = numba.config
     if config.DISABLE_JIT:
-        return _quiet(function)
+        return None
     _register_once(numba)
-    return _told(numba, function)
+    return numba
 
 
 def _quiet(function: Kernel) -> Kernel:
@@ -65,30 +122,90 @@ def _register_once(numba: Any) -> None:
             )
 
 
-def _told(numba: Any, function: Kernel) -> Kernel:
-    """The function, which on its first call is compiled, and tells on stderr how far that is and how long it took."""
+def _first_call(entry: Entry) -> Kernel:
+    """The kernel, which is compiled on its first call, for which the caller waits."""
     compiled: list[Kernel] = []
 
     def first_call(*arguments: Any) -> Any:
         with _compiling:
             if not compiled:
-                return compiling_call(*arguments)
+                try:
+                    compiled.append(entry.kept(arguments))
+                except NotKept:
+                    compiled.append(entry.made(arguments)[0])
         return compiled[0](*arguments)
 
-    def compiling_call(*arguments: Any) -> Any:
-        kernel = cached(numba, function)
-        with (
-            Teller(function.__name__, len(_registered)) as teller,
-            numba.core.event.install_listener("numba:compile", teller.listener(numba)),
-        ):
-            try:
-                result = kernel(*arguments)
-            except Exception:  # noqa: BLE001  # whatever reading and writing pickled code may raise
-                # The disk is full, or what was kept there is damaged. Nothing has run yet: kernels raise nothing.
-                kernel = uncached(numba, function)
-                result = kernel(*arguments)
-        compiled.append(kernel)
-        _loaded.update({key: kernel for key, value in _loaded.items() if value is first_call})
-        return result
-
     return first_call
+
+
+class Entry:
+    """How a kernel comes out of the cache on disk, or into it. From then on, `load` returns it compiled.
+
+    Attributes:
+        lasting: Whether what is compiled can be kept.
+    """
+
+    def __init__(self, numba: Any, function: Kernel) -> None:
+        self._numba = numba
+        self._function = function
+        self._kernel = cached(numba, function)
+        self.lasting = self._kernel is not None
+
+    def kept(self, arguments: tuple[Any, ...]) -> Kernel:
+        """The kernel for some arguments as it is kept on disk; raises `NotKept` where it is not."""
+        if not self.lasting:
+            raise NotKept
+        kernel = self._kernel
+
+        class Refusal(self._numba.core.event.Listener):  # type: ignore[misc, name-defined]
+            def on_start(self, event: Any) -> None:
+                if event.data.get("dispatcher") is kernel:
+                    raise NotKept
+
+            def on_end(self, event: Any) -> None:
+                pass
+
+        with self._numba.core.event.install_listener("numba:compile", Refusal()):
+            try:
+                kernel.compile(self._signature(arguments))
+            except NotKept:
+                raise
+            except Exception:  # noqa: BLE001  # whatever reading pickled code may raise
+                forget(kernel, self._function)
+                raise NotKept from None
+        return self._settled(kernel)
+
+    def made(self, arguments: tuple[Any, ...]) -> tuple[Kernel, float]:
+        """The kernel compiled for some arguments, and how many seconds that took; the user is told of it.
+
+        Where another process compiles it, this waits and takes what that has made.
+        """
+        teller = Teller(self._function.__name__, len(_registered))
+        with teller, self._numba.core.event.install_listener("numba:compile", teller.listener(self._numba)):
+            return self._settled(self._made(arguments, teller)), teller.seconds
+
+    def _made(self, arguments: tuple[Any, ...], teller: Teller) -> Any:
+        """The kernel, kept on disk where that can be."""
+        signature = self._signature(arguments)
+        if self.lasting:
+            kept: Any = self._kernel
+            with claimed(cache_folder(), self._function.__name__, teller.waits) as teller.far:
+                try:
+                    kept.compile(signature)
+                except Exception:  # noqa: BLE001  # whatever reading and writing pickled code may raise
+                    # The disk is full, or what was kept there is damaged and cannot be taken away.
+                    self.lasting = False
+            if self.lasting:
+                return kept
+        kernel: Any = uncached(self._numba, self._function)
+        kernel.compile(signature)
+        return kernel
+
+    def _signature(self, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+        """What Numba takes the types of arguments to be."""
+        return tuple(map(self._numba.typeof, arguments))
+
+    def _settled(self, kernel: Kernel) -> Kernel:
+        """The kernel, which `load` returns from now on."""
+        _loaded[self._function] = kernel
+        return kernel

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Protocol
 
 import pygame
 
+import carom
+from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
 from carom.play.screen import Screen, check_screen
 
@@ -16,6 +18,9 @@ if TYPE_CHECKING:
 RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
+#: What is written in the picture's lower left corner while it is so: letters of so many pixels, their ink, its plate.
+COMPILING = "compiling in the background: soon it runs faster"
+SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 
 
 class Game(Protocol):
@@ -49,6 +54,7 @@ class Window:
     def __init__(self, game: Game) -> None:
         self._game = game
         self._screen = Screen(game.size)
+        self._letters = Letters()
         pygame.display.set_caption(game.title)
 
     @property
@@ -71,9 +77,19 @@ class Window:
                 game.handle(screen.seen(event))
         game.advance(min(seconds, LONGEST_FRAME))
         game.draw(screen.picture)
+        if carom.compiling():
+            self._tell_compiling()
         screen.show()
         game.meter.end()
         pygame.display.flip()
+
+    def _tell_compiling(self) -> None:
+        """Write into the picture's corner that kernels are compiled meanwhile."""
+        letters = self._letters
+        area = pygame.Rect(0, 0, letters.width(COMPILING, SMALL) + 12, SMALL + 6)
+        area.bottomleft = (0, self._game.size[1])
+        self.surface.fill(PLATE, area)
+        letters.draw(self.surface, COMPILING, (area.left + 6, area.top + 2), SMALL, INK)
 
     def run(self, seconds: float | None = None) -> FrameMeter:
         """The times of all frames, once the game has been closed or `seconds` are over."""

@@ -14,6 +14,7 @@ from carom.rows.state import DISCRETE, DONE, NEEDS_PAIRS, NEEDS_ROOM
 from carom.rows.tables import Row, Rows
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.queries.aiming import write_direction
+from carom.world.sizes import step_size
 from carom.world.tables import Arrays, clear_kernel_place
 from carom.world.views import see_lent
 
@@ -87,7 +88,7 @@ def goes_on(film: Arrays, index: int) -> bool:
     clear_kernel_place(state)
     state["hits"] = state["max_impacts"] = state["bounded"] = 0
     state["dt"], state["steps_left"], state["watched"] = FAR, 1, index + 1
-    kernel = door.load(step_continuous)
+    kernel = door.load(step_continuous, step_size)
     status = kernel(*film.arguments())
     while status in (NEEDS_ROOM, NEEDS_PAIRS):
         film.extend(status)

@@ -34,6 +34,7 @@ from carom.world.kernels.queries.nearest import nearest_many
 from carom.world.kernels.queries.overlapping import overlapping_many, overlaps_of_balls
 from carom.world.kernels.queries.search_grid import width_of_all
 from carom.world.search import Search
+from carom.world.sizes import query_size, table_size
 
 if TYPE_CHECKING:
     from carom.shapes.shape import Shape
@@ -364,10 +365,8 @@ class Queries:
         casts, found = self._casts(queries)
         aims = Aims.of(self._world, np.zeros(len(queries), AIM))
         arrays = self._world._arrays
-        total = bool(arrays.states[0]["total_restitution"])
-        door.load(aim_many)(
-            queries, casts, found, indices, ways, arrays.shapes.used, arrays.balls.used, total, aims.view(np.ndarray)
-        )
+        total, tables = bool(arrays.states[0]["total_restitution"]), (arrays.shapes.used, arrays.balls.used)
+        door.load(aim_many, table_size)(queries, casts, found, indices, ways, *tables, total, aims.view(np.ndarray))
         note_times(aims.view(np.ndarray), ways, self._world.time)
         return aims._item(aims.view(np.ndarray)[0]) if single else aims
 
@@ -390,9 +389,8 @@ class Queries:
     def _shots(self, indices: NDArray[np.int64], ways: NDArray[np.float64]) -> Rows:
         """The casts of balls in directions, so long that they leave everything behind."""
         arrays = self._world._arrays
-        width = door.load(width_of_all)(arrays.shapes.used, arrays.balls.used)
-        balls = arrays.balls.used[indices]
-        queries = np.zeros(len(indices), QUERY)
+        width = door.load(width_of_all, table_size)(arrays.shapes.used, arrays.balls.used)
+        balls, queries = arrays.balls.used[indices], np.zeros(len(indices), QUERY)
         queries["x"], queries["y"], queries["radius"] = balls["x"], balls["y"], balls["radius"]
         # A ball that collides with nothing, or is a sensor, is stopped by nothing.
         solid = (balls["can_collide"] != 0) & (balls["sensor"] == 0)
@@ -415,7 +413,9 @@ class Queries:
         if self._search is None or not self._search.is_of(arrays):
             self._search = Search(arrays)
         grids, stamps = self._search.grids(count), self._search.stamps()
-        return int(door.load(kernel)(queries, arrays.shapes.used, arrays.balls.used, *grids, stamps, *answers))
+        return int(
+            door.load(kernel, query_size)(queries, arrays.shapes.used, arrays.balls.used, *grids, stamps, *answers)
+        )
 
     def _ask_for_all(self, kernel: Kernel, count: int, queries: Rows, rows: Rows) -> Rows:
         """The rows that a kernel finds for queries; it is asked again where it needs more of them than in `rows`."""

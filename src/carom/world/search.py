@@ -10,6 +10,7 @@ from carom.rows.query import SEARCH_GRID
 from carom.rows.shape import STATIC
 from carom.rows.tables import Rows
 from carom.world.kernels.queries.search_grid import build_search_grid
+from carom.world.sizes import query_size
 from carom.world.tables import Arrays
 
 #: The width of the one cell of a grid that is a plain list: beyond everything.
@@ -30,7 +31,7 @@ def grid_of(arrays: Arrays, items: Rows) -> Grid:
     grid = np.zeros(1, SEARCH_GRID)
     starts = np.zeros((3 * int(SEARCH_CELLS_PER_ITEM) + 2) * len(items) + 2, "i4")
     members = np.zeros((int(SEARCH_MARKS_PER_ITEM) + 1) * len(items), "i4")
-    door.load(build_search_grid)(grid, arrays.shapes.used, arrays.balls.used, items, starts, members)
+    door.load(build_search_grid, query_size)(grid, arrays.shapes.used, arrays.balls.used, items, starts, members)
     return grid, starts, members
 
 

@@ -29,6 +29,7 @@ from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
 from carom.world.settings import SETTINGS, Settings, Sides
+from carom.world.sizes import step_size
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
 from carom.world.statistics import Statistics
 from carom.world.tables import Arrays, clear_kernel_place
@@ -203,7 +204,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         if self._arguments is None:
             self._arrays.prepare()
             self._arguments = self._arrays.arguments()
-        kernel = door.load(STEP_KERNELS[state["detection"]])
+        kernel = door.load(STEP_KERNELS[state["detection"]], step_size)
         if dt != self._dt:
             state["dt"] = self._dt = dt
         state["steps_left"] = steps

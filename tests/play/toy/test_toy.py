@@ -199,7 +199,7 @@ def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pyte
 def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: set[str] = set()
     load = door.load
-    monkeypatch.setattr(door, "load", lambda name: asked.add(name) or load(name))  # type: ignore[func-returns-value]
+    monkeypatch.setattr(door, "load", lambda name, *size: asked.add(name) or load(name, *size))  # type: ignore[func-returns-value]
     app.warm_up()
     before = set(asked)
     assert len(before) >= 3

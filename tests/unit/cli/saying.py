@@ -10,5 +10,9 @@ def carom_says(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int
     with pytest.raises(SystemExit) as caught:
         main(list(arguments))
     printed = capsys.readouterr()
-    told = [line for line in printed.err.splitlines(keepends=True) if not line.startswith("carom: compil")]
+    told = [
+        line
+        for line in printed.err.splitlines(keepends=True)
+        if not line.startswith(("carom: compiling ", "carom: compiled "))
+    ]
     return int(caught.value.code or 0), printed.out, "".join(told)

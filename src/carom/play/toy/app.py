@@ -216,7 +216,7 @@ def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMe
 
 
 def warm_up() -> None:
-    """Have both kinds of steps compiled: a table that is shown must not stand still for that."""
+    """Have both kinds of steps compiled, now or in the background: the table must not stand still for it later."""
     for detection in ("discrete", "continuous"):
         table = Table()
         table.world.detection = detection

@@ -204,7 +204,7 @@ def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMe
     """The times of all frames of a session: played until it is left, or for some seconds."""
 
     def ready() -> PinballApp:
-        """The game after its first step, the first of which on a machine compiles: before the window opens."""
+        """The game after its first step, which has it compiled, now or in the background: before the window opens."""
         app = PinballApp(tell)
         app.game.tick()
         return app

@@ -1,0 +1,118 @@
+"""Compiling ahead: every kernel, for the arguments that worlds call it with, into the cache on disk.
+
+As a program, `python -m carom.world.ahead NAME...`, it compiles the kernels of those names: the child process that is
+started where a world needs a kernel which is not there.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from carom.compiler import door
+from carom.compiler.cache import cache_folder
+from carom.compiler.kernels import Kernel
+from carom.errors import CompileError
+from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR, QUERY, SEARCH_GRID
+from carom.rows.state import CONTINUOUS
+from carom.world.kernels.continuous.film import step_continuous
+from carom.world.kernels.queries.aiming import aim_many
+from carom.world.kernels.queries.casting import cast_many
+from carom.world.kernels.queries.nearest import nearest_many
+from carom.world.kernels.queries.overlapping import overlapping_many, overlaps_of_balls
+from carom.world.kernels.queries.search_grid import build_search_grid, width_of_all
+from carom.world.kernels.step.discrete import step_discrete
+from carom.world.search import list_of
+from carom.world.tables import Arrays
+
+#: How nice the child is where the system has niceness: whatever else wants the processor gets it first.
+NICENESS = 19
+
+
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    """What `carom.compile` did.
+
+    Attributes:
+        folder: Where compiled code is kept.
+        seconds: The kernels that were compiled now, by name, with the seconds each of them took.
+        kept: The names of those that were there already.
+    """
+
+    folder: Path
+    seconds: dict[str, float]
+    kept: tuple[str, ...]
+
+
+def compile() -> Compiled:
+    """What was compiled, and where it is kept: all that worlds will need, so that none waits or is interpreted.
+
+    It takes some minutes, once on a machine for each version of carom, of Numba and of Python; progress is told on
+    stderr. What another process is compiling is waited for. `carom compile` does the same.
+
+    Raises:
+        CompileError: There is no compiler or it is switched off, or the folder cannot be written to.
+        InvalidArgument: The variable `CAROM_COMPILE` is none of its words.
+    """
+    return compile_kernels({function.__name__ for function in examples()})
+
+
+def compile_kernels(names: Collection[str]) -> Compiled:
+    """What was compiled of the kernels of some names; raises as `compile`."""
+    seconds: dict[str, float] = {}
+    kept: list[str] = []
+    for function, arguments in examples().items():
+        name = function.__name__
+        if name in names:
+            took = door.keep(function, arguments)
+            if took is None:
+                kept.append(name)
+            else:
+                seconds[name] = took
+    return Compiled(cache_folder(), seconds, tuple(kept))
+
+
+def examples() -> dict[Kernel, tuple[Any, ...]]:
+    """Every kernel that a world calls, with arguments of the types that it calls it with."""
+    discrete, continuous = Arrays(), Arrays()
+    continuous.states[0]["detection"] = CONTINUOUS
+    tables = discrete.shapes.used, discrete.balls.used
+    numbers = np.zeros(0, "i4")
+    queries = np.zeros(0, QUERY)
+    casts = np.zeros(0, CAST_HIT), numbers
+
+    def asked(*answers: Any) -> tuple[Any, ...]:
+        return (queries, *tables, *list_of(numbers), *list_of(numbers), numbers, *answers)
+
+    return {
+        step_discrete: discrete.arguments(),
+        cast_many: asked(*casts),
+        nearest_many: asked(np.zeros(0, NEIGHBOR)),
+        overlapping_many: asked(np.zeros(0, IN_BOX)),
+        overlaps_of_balls: asked(np.zeros(0, CONTACT)),
+        width_of_all: tables,
+        build_search_grid: (np.zeros(1, SEARCH_GRID), *tables, numbers, numbers, numbers),
+        aim_many: (queries, *casts, np.zeros(0, np.int64), np.zeros((0, 2)), *tables, False, np.zeros(0, AIM)),
+        step_continuous: continuous.arguments(),
+    }
+
+
+def main(names: Sequence[str]) -> int:
+    """The exit status of a child that compiles kernels behind: 0 if all are there."""
+    if hasattr(os, "nice"):
+        os.nice(NICENESS)
+    try:
+        compile_kernels(names)
+    except CompileError as error:
+        sys.exit(str(error))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
