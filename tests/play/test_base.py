@@ -54,6 +54,23 @@ def test_a_window_gives_events_and_time_and_shows_the_picture() -> None:
     assert game.meter.frames == 2
 
 
+def test_while_kernels_are_compiled_a_line_in_the_corner_says_so_and_time_makes_no_leaps(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Wide(Counting):
+        size = (400, 120)
+
+    window, ticker = Window(Wide(frames=9)), Ticker(1 / 480)
+    for compiling in (True, False):
+        monkeypatch.setattr(carom, "compiling", lambda compiling=compiling: compiling)
+        window.frame(0.02)
+        shown = pygame.surfarray.array3d(window.surface)
+        told = (shown != (10, 20, 30)).any(axis=2)
+        assert told.any() == compiling
+        assert not told[:, :100].any()
+        assert ticker.due(0.25) == (8 if compiling else 48)
+
+
 def test_a_window_that_is_closed_ends_the_game() -> None:
     game = Counting(frames=99)
     window = Window(game)

@@ -120,8 +120,12 @@ class Ticker:
         self._left = 0.0
 
     def due(self, seconds: float) -> int:
-        """How many steps to make now that `seconds` went by; of a longer time than `most` the rest is let go."""
-        self._left = min(self._left + seconds, self._most)
+        """How many steps to make now that `seconds` went by; of a longer time than `most` the rest is let go.
+
+        While kernels are compiled in the background, of a longer time than a frame's is.
+        """
+        # What is interpreted may take longer than its own time: then it goes on slowly, rather than by leaps.
+        self._left = min(self._left + seconds, 1.0 / RATE if carom.compiling() else self._most)
         # A thousandth of a step of grace, so that frames of exactly one step do not make now none, now two.
         steps = int(self._left / self.step + 1e-3)
         self._left -= steps * self.step

@@ -31,8 +31,8 @@ from carom.world.kernels.step.discrete import step_discrete
 from carom.world.search import list_of
 from carom.world.tables import Arrays
 
-#: How nice the child is where the system has niceness: whatever else wants the processor gets it first.
-NICENESS = 19
+#: How nice the child is where the system has niceness: what the user does gets the processor first, but not all of it.
+NICENESS = 5
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,14 @@ class Chair:
 ON_LEFT = [(7.0, 9.0)] * 4
 
 
+def test_while_kernels_are_compiled_it_does_not_look_ahead(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(carom, "compiling", lambda: True)
+    best = Presses((24, 84), ())
+    chair = Chair((7.0, 12.0), (0.0, -9.0), blind := Blind(ON_LEFT, {best: 900.0, None: 100.0}))
+    chair.sit(DECIDE + 100 + LATE)
+    assert (chair.pressed, blind.asked) == ([], [])
+
+
 def test_the_best_flip_is_made_a_little_late() -> None:
     best = Presses((24, 84), ())
     chair = Chair((7.0, 12.0), (0.0, -9.0), blind := Blind(ON_LEFT, {best: 900.0, None: 100.0}))

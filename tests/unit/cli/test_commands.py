@@ -13,6 +13,8 @@ import pytest
 
 import carom
 from carom.cli.hits_file import COLUMNS
+from carom.compiler import door
+from carom.compiler.cache import cache_folder
 from tests.unit.cli.saying import carom_says
 
 GOOD = """version = 1
@@ -318,3 +320,25 @@ def test_ctrl_c_while_a_file_is_written_says_what_was_not(here: Path, code: str,
     assert "wrote run.toml" in out
     assert err == f"carom: interrupted; not written: {name}, run.csv\n"
     assert {path.name for path in set(here.iterdir()) - before} == {"run.toml"}
+
+
+def test_compile_says_what_it_did_and_where(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    took: dict[str, float | None] = {"step_discrete": 21.5, "nearest_many": 1.25}
+    monkeypatch.setattr(door, "keep", lambda function, arguments: took.pop(function.__name__, None))
+    monkeypatch.setenv("CAROM_CACHE_DIR", str(tmp_path))
+    status, out, err = carom_says(capsys, "compile")
+    assert (status, err) == (0, "")
+    one, other, last = out.splitlines()
+    assert (one.split(), other.split()) == (["step", "discrete", "21.5", "s"], ["nearest", "many", "1.2", "s"])
+    assert last == f"compiled 2 kernels, 7 kernels were there; all are kept in {cache_folder()}"
+    assert carom_says(capsys, "compile") == (0, f"everything is there: 9 kernels in {cache_folder()}\n", "")
+
+
+def test_compile_fails_where_nothing_can_be_compiled(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CAROM_COMPILE", "off")
+    status, out, err = carom_says(capsys, "compile")
+    assert (status, out, err) == (1, "", "carom: nothing is compiled: CAROM_COMPILE is 'off'\n")

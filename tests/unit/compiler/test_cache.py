@@ -49,11 +49,12 @@ def test_a_cache_that_is_deleted_is_made_again(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("ending", ["nbi", "nbc"])
-def test_a_damaged_cache_does_no_harm(tmp_path: Path, ending: str) -> None:
+def test_a_damaged_cache_does_no_harm_and_is_mended(tmp_path: Path, ending: str) -> None:
     one_kernel(tmp_path)
     for path in tmp_path.rglob(f"*.{ending}"):
         path.write_bytes(path.read_bytes()[:-20])
     assert one_kernel(tmp_path)[0] == "3\n"
+    assert one_kernel(tmp_path) == ("3\n", ""), "it is made anew, and kept"
 
 
 @pytest.mark.slow

@@ -1,5 +1,6 @@
 """The door to the compiler: opened when it is needed, and not needed at all."""
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -47,3 +48,61 @@ def test_every_kernel_is_loaded_once() -> None:
     assert door.load(cell_of) is door.load(cell_of)
     assert door.load(cell_of)(7.5, 0.5) == 3
     assert carom.World().step(0.0).dtype.names
+
+
+def reopened(monkeypatch: pytest.MonkeyPatch, way: str) -> None:
+    """Forget what was loaded, and let `CAROM_COMPILE` say something."""
+    monkeypatch.setattr(door, "_loaded", {})
+    monkeypatch.setenv("CAROM_COMPILE", way)
+
+
+def test_a_word_that_the_variable_does_not_know_is_refused_and_nothing_is_changed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    world = crowded(balls=4)
+    before = world.digest()
+    reopened(monkeypatch, "soon")
+    for call in (lambda: world.step(0.1), lambda: world.nearest((0, 0)), lambda: carom.compile()):
+        with pytest.raises(carom.InvalidArgument, match=r"^CAROM_COMPILE must be one of .*, not 'soon'$"):
+            call()
+    assert world.digest() == before
+
+
+def test_switched_off_the_compiler_is_not_even_imported(monkeypatch: pytest.MonkeyPatch) -> None:
+    reopened(monkeypatch, "off")
+    monkeypatch.setitem(sys.modules, "numba", None)
+    monkeypatch.setattr(door, "_numba", lambda: pytest.fail("the compiler is asked for"))
+    assert door.load(cell_of)(7.5, 0.5) == 3
+    with pytest.raises(carom.CompileError, match="nothing is compiled: CAROM_COMPILE is 'off'"):
+        carom.compile()
+
+
+def test_without_a_compiler_it_is_said_where_one_was_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    reopened(monkeypatch, "background")
+    monkeypatch.setitem(sys.modules, "numba", None)
+    assert door.load(cell_of)(7.5, 0.5) == 3
+    assert not carom.compiling()
+    with pytest.raises(carom.CompileError, match="Numba is not installed"):
+        carom.compile()
+
+
+@pytest.mark.compiled
+def test_where_nothing_can_be_kept_it_is_compiled_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    reopened(monkeypatch, "background")
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setenv("CAROM_CACHE_DIR", str(tmp_path / "file"))
+    made: list[tuple[object, ...]] = []
+    monkeypatch.setattr(door.Entry, "made", lambda entry, arguments: made.append(arguments) or (lambda *_: 3, 0.0))
+    assert door.load(cell_of)(7.5, 0.5) == 3
+    assert made == [(7.5, 0.5)]
+    with pytest.raises(carom.CompileError, match="cannot be written to"):
+        carom.compile()
+
+
+@pytest.mark.compiled
+def test_what_is_kept_ahead_is_compiled_once_and_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    reopened(monkeypatch, "wait")
+    door.keep(cell_of, (1.0, 1.0))
+    assert door.keep(cell_of, (1.0, 1.0)) is None
+    assert hasattr(door.load(cell_of), "signatures")
+    assert door.load(cell_of)(7.5, 0.5) == 3

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from carom.compiler import teller
+from carom.compiler.lock import Far
 from tests.unit.compiler.one_kernel import ONE_KERNEL, one_kernel
 
 
@@ -96,3 +97,24 @@ def test_a_program_without_a_console_is_told_nothing(monkeypatch: pytest.MonkeyP
 
 def test_nothing_is_told_where_nothing_is_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     assert tell(Terminal(), monkeypatch, []) == ""
+
+
+def test_who_waits_for_another_process_is_told_how_far_that_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stderr", stream)
+    with teller.Teller("step_discrete", 500) as telling:
+        for count in (0, 0, 12):
+            telling.waits(count)
+    text = stream.getvalue()
+    assert text.startswith("carom: compiling step discrete, by another process ...\n")
+    assert "\rcarom: 12 of about 500 functions" in text
+    assert text.splitlines()[-1].startswith("carom: compiled step discrete in ")
+
+
+def test_how_far_it_is_is_written_down_for_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", None)
+    with teller.Teller("step_discrete", 500) as telling:
+        telling.far = Far(tmp_path, "step_discrete")
+        for function in ("a", "b", "a"):
+            telling.see(function)
+    assert Far(tmp_path, "step_discrete").read() == 2

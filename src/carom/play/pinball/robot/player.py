@@ -8,6 +8,7 @@ from math import hypot, inf
 from random import Random
 from typing import TYPE_CHECKING
 
+import carom
 from carom.play.pinball.robot.foresight import Foresight, Presses, State, sweeps
 from carom.play.pinball.rules.controls import NUDGES, Control, Phase
 from carom.play.pinball.rules.lamps import LampState
@@ -90,11 +91,15 @@ class Player:
             self._tap(Control.PLUNGER, 60)
             return
         table, balls = self._game.table, self._game.world.balls
+        # To look ahead interpreted would hold up the game.
+        blind = carom.compiling()
         urgent: State | None = None
         for (x, y), (vx, vy) in zip(balls.position.tolist(), balls.velocity.tolist(), strict=True):
             if table.beyond_lane(x, y) < BALL_RADIUS:
                 if y < FOOT and not self._due:
                     self._tap(Control.PLUNGER, self._pull() + self._random.randrange(PULL_CHANCE))
+            elif blind:
+                continue
             elif SIDE_LOW < y < SIDE_HIGH and abs(x - table.middle) > SIDE and self._step >= self._wary:
                 self._keep_out((x, y, vx, vy))
             elif y < LOW and vy < RISING and (urgent is None or y < urgent[1]):
