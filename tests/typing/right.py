@@ -1,6 +1,7 @@
 """A user's program in which nothing is wrong: type checkers must have nothing to say of it. It is read, never run."""
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import assert_type
 
 import numpy as np
@@ -169,6 +170,15 @@ points: list[carom.Point] = carom.guard_points([wall, mill], tolerance=1e-6)
 picture: str = carom.draw.svg(carom.draw.picture_of(world, "table", caption="a table"))
 pixels: bytes = carom.draw.png(carom.draw.picture_at(recording, 3))
 axes = carom.study.plots.energy(recording)
+
+
+try:
+    done = carom.compile()
+    assert_type(done.folder, Path)
+    assert_type(done.seconds, dict[str, float])
+    assert_type(carom.compiling(), bool)
+except carom.CompileError as error:
+    print(error)
 
 
 class Game(carom.World):
