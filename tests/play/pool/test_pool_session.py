@@ -8,9 +8,10 @@ import pytest
 
 from carom.play.pool import setups
 from carom.play.pool.actions import BUTTONS, HELP, KEYS, Action
-from carom.play.pool.game import STEP, Impact, Mark, Phase, Setup
+from carom.play.pool.game import STEP, Impact, Mark, Phase, Setup, speed_of
 from carom.play.pool.preview import Leg, Preview
 from carom.play.pool.session import (
+    CLICK,
     DRAW_TIME,
     FINE_NOTCH,
     FRAME_STEPS,
@@ -126,20 +127,42 @@ def test_power_goes_up_and_down_between_nothing_and_all() -> None:
 def test_the_cue_is_drawn_while_held_and_shoots_when_let_go() -> None:
     session = Session()
     session.begin(Action.DRAW)
-    wait(session, round(0.5 * DRAW_TIME / STEP))
-    assert session.draw == pytest.approx(0.5, abs=0.01)
+    wait(session, round((CLICK + 0.7 * DRAW_TIME) / STEP))
+    assert session.strength == session.draw == pytest.approx(0.7, abs=0.01)
     assert session.pool.phase is Phase.AIM
     session.end(Action.DRAW)
     assert session.pool.phase is Phase.ROLL
-    assert session.power == pytest.approx(0.5, abs=0.01)
+    assert hypot(*session.pool.cue.velocity) == pytest.approx(speed_of(0.7), rel=0.02)
     assert session.draw is None
 
 
-def test_a_cue_that_is_held_on_goes_forward_again() -> None:
+def test_the_power_that_was_set_stays_whatever_is_drawn() -> None:
+    session = seated()
+    session.power = 0.3
+    press(session, Action.DRAW, round((CLICK + 0.7 * DRAW_TIME) / STEP))
+    assert session.pool.shots == 1
+    assert session.power == session.strength == 0.3
+
+
+def test_a_cue_that_is_held_on_stays_drawn() -> None:
     session = Session()
     session.begin(Action.DRAW)
-    wait(session, round(1.75 * DRAW_TIME / STEP))
-    assert session.draw == pytest.approx(0.25, abs=0.02)
+    wait(session, round((CLICK + DRAW_TIME) / STEP) + 1)
+    before = session.draw
+    wait(session, round(2.5 * DRAW_TIME / STEP))
+    assert (before, session.draw) == (1.0, 1.0)
+
+
+@pytest.mark.parametrize("ticks", [0, 2, round(CLICK / STEP) - 1])
+def test_a_click_shoots_with_the_power_shown(ticks: int) -> None:
+    session = Session()
+    session.power = 0.42
+    session.begin(Action.DRAW)
+    wait(session, ticks)
+    assert session.strength == 0.42
+    session.end(Action.DRAW)
+    assert session.pool.shots == 1
+    assert hypot(*session.pool.cue.velocity) == pytest.approx(speed_of(0.42))
 
 
 def test_while_the_cue_is_drawn_the_mouse_does_not_turn_it() -> None:
@@ -150,13 +173,12 @@ def test_while_the_cue_is_drawn_the_mouse_does_not_turn_it() -> None:
     assert session.angle == angle
 
 
-def test_the_cue_can_be_put_down_and_a_touch_is_no_shot() -> None:
+def test_the_cue_can_be_put_down() -> None:
     session = Session()
     session.begin(Action.DRAW)
     wait(session, 30)
     press(session, Action.CANCEL)
     session.end(Action.DRAW)
-    press(session, Action.DRAW, 2)
     assert session.pool.phase is Phase.AIM
     assert session.pool.shots == 0
 
@@ -352,6 +374,8 @@ def test_words_say_how_the_game_stands() -> None:
     assert headline(session)[0] == "Pot the eight"
     assert detail(session) == "The eight goes to the upper right pocket"
     session.begin(Action.DRAW)
+    assert headline(session)[0] == "Pot the eight"
+    wait(session, 60)
     assert headline(session)[0] == "Let go to shoot"
     press(session, Action.CANCEL)
     session.power = 0.3

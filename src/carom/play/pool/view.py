@@ -107,13 +107,16 @@ class View:
             self.balls[name].draw(surface, (x, y), size, light)
 
     def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
-        """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds."""
+        """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds, or to the cushion before."""
         for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
             (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
-            way = SCALE * ARROW * speed
-            if way < 1.0:
+            if SCALE * ARROW * speed < 1.0:
                 continue
             start, (along_x, along_y) = self.layout.pixel((x, y)), (vx / speed, -vy / speed)
+            room = SCALE * self.layout.room((x, y), (vx / speed, vy / speed)) - self.radius - 2.0
+            way = min(SCALE * ARROW * speed, room)
+            if way < 1.0:
+                continue
             near, far = self.radius + 2.0, self.radius + 2.0 + way
             end = (start[0] + far * along_x, start[1] + far * along_y)
             stroke(surface, (start[0] + near * along_x, start[1] + near * along_y), end, colour)

@@ -24,7 +24,7 @@ def headline(session: Session) -> tuple[str, Colour]:
         return "You lose", BAD
     if pool.phase is Phase.ROLL:
         return ("The eight is down", GOLD) if pool.eight.name in pool.potted else ("The balls roll", IVORY)
-    if session.draw is not None:
+    if session.draw:
         return "Let go to shoot", GOLD
     return ("Pot the eight" if pool.shots == 0 else "Shoot again"), IVORY
 
