@@ -9,7 +9,7 @@ import pytest
 from carom.play.pool import setups
 from carom.play.pool.actions import BUTTONS, HELP, KEYS, Action
 from carom.play.pool.game import STEP, Impact, Mark, Phase, Setup, speed_of
-from carom.play.pool.preview import Leg, Preview
+from carom.play.pool.preview import Leg, Preview, rest_before_impact, until_rest
 from carom.play.pool.session import (
     CLICK,
     DRAW_TIME,
@@ -201,6 +201,31 @@ def test_balls_hurry_while_space_is_held() -> None:
     session.begin(Action.DRAW)
     wait(session, 4)
     assert session.pool.world.time - begun == pytest.approx(4 * HURRY * STEP)
+
+
+@pytest.mark.parametrize("power", [0.0, 0.06, 0.18, 0.25])
+def test_the_preview_ends_where_the_balls_will_stop(power: float) -> None:
+    session = seated(Setup(cue=(100.0, 60.0), eight=(130.0, 66.0)))
+    session.point((130.0, 66.0))
+    session._turn(radians(3.0))
+    pool, shown = session.pool, session.preview()
+    assert shown is not None
+    rest = rest_before_impact(pool, shown, power)
+    ends = [rest or shown.aim.ghost, pool.eight.position]
+    if rest is None:
+        assert shown.cue is not None
+        assert shown.eight is not None
+        ends = [
+            until_rest(pool, shown, shown.cue, shown.aim.speed, power).end,
+            until_rest(pool, shown, shown.eight, shown.aim.other_speed, power).end,
+        ]
+    assert (rest is None) is (power > 0.1)
+    pool.shoot(session.direction, power)
+    while pool.moving:
+        pool.step()
+    assert len(pool.marks) == (rest is None)
+    for ball, end in zip((pool.cue, pool.eight), ends, strict=True):
+        assert ball.position == pytest.approx(end, abs=0.3)
 
 
 # -- games -----------------------------------------------------------------------------------------------------------
@@ -416,7 +441,8 @@ def test_words_say_why_a_game_is_lost() -> None:
 
 def test_words_say_what_a_shot_would_do() -> None:
     session = Session()
-    aim = session.pool.world.aim(session.pool.cue, (124.0, -31.0))
+    session.angle += 0.01
+    aim = session.pool.world.aim(session.pool.cue, session.direction)
     assert aim is not None
     cushion, pocket = Leg((0.0, 0.0), (9.0, 0.0), None), Leg((0.0, 0.0), (0.0, 9.0), "upper left pocket")
 
@@ -428,8 +454,9 @@ def test_words_say_what_a_shot_would_do() -> None:
     assert said(1.0, fall="upper left pocket") == "The cue ball falls into the upper left pocket"
     assert said(1.0, cue=pocket) == "The cue ball meets a cushion first, then it falls into the upper left pocket"
     assert said(1.0, eight=cushion) == "The eight meets a cushion"
-    assert said(0.1, eight=cushion) == "The eight stops before a cushion"
-    assert said(0.1, eight=pocket) == "The eight stops before the upper left pocket"
+    assert said(0.325, eight=cushion) == "The eight stops before a cushion"
+    assert said(0.325, eight=pocket) == "The eight stops before the upper left pocket"
+    assert said(0.1, cue=pocket, eight=pocket) == "The cue ball stops before it meets anything"
     follows = "The eight goes to the upper left pocket, but the cue ball falls into the upper left pocket"
     assert said(1.0, cue=pocket, eight=pocket) == follows
 
