@@ -15,13 +15,14 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import continuous, drawing, galton, gas, heaps, memory, pinball, play, rooms, scaling, startup
+from benchmarks import aiming, continuous, drawing, galton, gas, heaps, memory, pinball, play, rooms, scaling, startup
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
     "gas": gas,
     "galton": galton,
     "pinball": pinball,
+    "aiming": aiming,
     "continuous": continuous,
     "heaps": heaps,
     "rooms": rooms,

@@ -32,7 +32,7 @@ def main(folder: Path) -> None:
     """Write the pictures into a folder."""
     for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
         os.environ[driver] = "dummy"
-    keep(PinballApp(print, Pinball(seed=3)), [], 1500, folder / "pinball-game.jpg")
+    keep(PinballApp(print, Pinball(seed=3)), [], 1320, folder / "pinball-game.jpg")
     shot = [*[pygame.K_UP] * 8, pygame.K_c, pygame.K_RETURN]
     keep(PoolApp(print), shot, 200, folder / "pool-game.jpg", mouse=(843, 440))
     toy = Toy(print)

@@ -7,6 +7,7 @@ import pytest
 
 from carom.play.controls import Button
 from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, run
+from carom.play.pinball.screen import display, help
 from carom.play.pinball.screen.app import BEHIND, BUTTONS, KEYS
 from carom.play.pinball.screen.lines import Mode
 from carom.play.window import Window
@@ -237,3 +238,9 @@ def test_run_plays_for_some_seconds_with_the_users_high_scores(monkeypatch: pyte
     assert meter.frames >= 1
     assert told == []
     assert not pygame.get_init()
+
+
+def test_keys_that_do_not_trip_sticky_keys_are_named_first() -> None:
+    flippers = [keys.split(", ")[0] for keys, meaning in help.KEYS if "flipper;" in meaning]
+    assert flippers == ["Left", "Right"]
+    assert display.KEYS.startswith("Left, Right: flippers")

@@ -1,6 +1,7 @@
 """The table of the pinball game: its parts, what moves and switches, and where balls can be."""
 
-from math import pi
+from itertools import pairwise
+from math import atan2, degrees, hypot, pi
 
 import pytest
 
@@ -177,17 +178,50 @@ def test_a_caught_ball_can_be_shot_at_what_one_likes(table: Table) -> None:
     assert {"right orbit", "drop target 1", "spinner", "right slingshot's band"} <= seen
 
 
+def left_with(table: Table, ball: carom.Ball) -> tuple[float, float]:
+    """The angle in degrees and the speed with which a ball leaves the left flipper that swings up now."""
+    bat = {shape.id for shape in table.left.shape.shapes}
+    velocity = ball.velocity
+    table.left.press(True)
+    for _ in range(30):
+        if any(shape in bat for shape in table.world.step(STEP)["shape"].tolist()):
+            velocity = ball.velocity
+    return degrees(atan2(velocity[1], velocity[0])), hypot(*velocity)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("feed", ["cradle", "inlane"])
+def test_the_later_the_flip_the_farther_across_and_the_root_is_the_weakest(table: Table, feed: str) -> None:
+    if feed == "cradle":
+        ball, snapshot = cradled(table)
+        waits = range(120, 328, 4)
+    else:
+        ball = table.world.add(carom.Ball((2.55, 14.5), BALL_RADIUS, (0.0, -5.0)))
+        snapshot, waits = table.world.snapshot(), range(296, 396, 4)
+    shots = []
+    for wait in waits:
+        again(table, snapshot)
+        table.left.press(False)
+        table.world.run(wait * STEP, STEP)
+        shots.append(left_with(table, ball))
+    angles, speeds = zip(*shots, strict=True)
+    assert all(later < sooner + 0.3 for sooner, later in pairwise(angles))
+    assert angles[0] - angles[-1] > 30.0
+    assert all(inner < outer for inner, outer in pairwise(speeds[: len(speeds) // 3]))
+    assert speeds[0] < 0.6 * max(speeds) < 60.0
+
+
 @pytest.mark.compiled
 def test_a_caught_ball_can_be_passed_to_the_other_flipper(table: Table) -> None:
     ball, snapshot = cradled(table)
     caught = []
-    for wait in range(232, 246, 2):
+    for wait in range(226, 240, 2):
         again(table, snapshot)
         table.right.press(True)
         table.left.press(False)
         table.world.run(wait * STEP, STEP)
         table.left.press(True)
-        table.world.run(8 * STEP, STEP)
+        table.world.run(6 * STEP, STEP)
         table.left.press(False)
         table.world.run(3.0, STEP)
         caught.append(table.cradled(*ball.position) and ball.position[0] > table.middle)

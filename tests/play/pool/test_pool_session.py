@@ -8,9 +8,10 @@ import pytest
 
 from carom.play.pool import setups
 from carom.play.pool.actions import BUTTONS, HELP, KEYS, Action
-from carom.play.pool.game import STEP, Impact, Mark, Phase, Setup
-from carom.play.pool.preview import Leg, Preview
+from carom.play.pool.game import STEP, Impact, Mark, Phase, Setup, speed_of
+from carom.play.pool.preview import Leg, Preview, rest_before_impact, until_rest
 from carom.play.pool.session import (
+    CLICK,
     DRAW_TIME,
     FINE_NOTCH,
     FRAME_STEPS,
@@ -126,20 +127,42 @@ def test_power_goes_up_and_down_between_nothing_and_all() -> None:
 def test_the_cue_is_drawn_while_held_and_shoots_when_let_go() -> None:
     session = Session()
     session.begin(Action.DRAW)
-    wait(session, round(0.5 * DRAW_TIME / STEP))
-    assert session.draw == pytest.approx(0.5, abs=0.01)
+    wait(session, round((CLICK + 0.7 * DRAW_TIME) / STEP))
+    assert session.strength == session.draw == pytest.approx(0.7, abs=0.01)
     assert session.pool.phase is Phase.AIM
     session.end(Action.DRAW)
     assert session.pool.phase is Phase.ROLL
-    assert session.power == pytest.approx(0.5, abs=0.01)
+    assert hypot(*session.pool.cue.velocity) == pytest.approx(speed_of(0.7), rel=0.02)
     assert session.draw is None
 
 
-def test_a_cue_that_is_held_on_goes_forward_again() -> None:
+def test_the_power_that_was_set_stays_whatever_is_drawn() -> None:
+    session = seated()
+    session.power = 0.3
+    press(session, Action.DRAW, round((CLICK + 0.7 * DRAW_TIME) / STEP))
+    assert session.pool.shots == 1
+    assert session.power == session.strength == 0.3
+
+
+def test_a_cue_that_is_held_on_stays_drawn() -> None:
     session = Session()
     session.begin(Action.DRAW)
-    wait(session, round(1.75 * DRAW_TIME / STEP))
-    assert session.draw == pytest.approx(0.25, abs=0.02)
+    wait(session, round((CLICK + DRAW_TIME) / STEP) + 1)
+    before = session.draw
+    wait(session, round(2.5 * DRAW_TIME / STEP))
+    assert (before, session.draw) == (1.0, 1.0)
+
+
+@pytest.mark.parametrize("ticks", [0, 2, round(CLICK / STEP) - 1])
+def test_a_click_shoots_with_the_power_shown(ticks: int) -> None:
+    session = Session()
+    session.power = 0.42
+    session.begin(Action.DRAW)
+    wait(session, ticks)
+    assert session.strength == 0.42
+    session.end(Action.DRAW)
+    assert session.pool.shots == 1
+    assert hypot(*session.pool.cue.velocity) == pytest.approx(speed_of(0.42))
 
 
 def test_while_the_cue_is_drawn_the_mouse_does_not_turn_it() -> None:
@@ -150,13 +173,12 @@ def test_while_the_cue_is_drawn_the_mouse_does_not_turn_it() -> None:
     assert session.angle == angle
 
 
-def test_the_cue_can_be_put_down_and_a_touch_is_no_shot() -> None:
+def test_the_cue_can_be_put_down() -> None:
     session = Session()
     session.begin(Action.DRAW)
     wait(session, 30)
     press(session, Action.CANCEL)
     session.end(Action.DRAW)
-    press(session, Action.DRAW, 2)
     assert session.pool.phase is Phase.AIM
     assert session.pool.shots == 0
 
@@ -179,6 +201,31 @@ def test_balls_hurry_while_space_is_held() -> None:
     session.begin(Action.DRAW)
     wait(session, 4)
     assert session.pool.world.time - begun == pytest.approx(4 * HURRY * STEP)
+
+
+@pytest.mark.parametrize("power", [0.0, 0.06, 0.18, 0.25])
+def test_the_preview_ends_where_the_balls_will_stop(power: float) -> None:
+    session = seated(Setup(cue=(100.0, 60.0), eight=(130.0, 66.0)))
+    session.point((130.0, 66.0))
+    session._turn(radians(3.0))
+    pool, shown = session.pool, session.preview()
+    assert shown is not None
+    rest = rest_before_impact(pool, shown, power)
+    ends = [rest or shown.aim.ghost, pool.eight.position]
+    if rest is None:
+        assert shown.cue is not None
+        assert shown.eight is not None
+        ends = [
+            until_rest(pool, shown, shown.cue, shown.aim.speed, power).end,
+            until_rest(pool, shown, shown.eight, shown.aim.other_speed, power).end,
+        ]
+    assert (rest is None) is (power > 0.1)
+    pool.shoot(session.direction, power)
+    while pool.moving:
+        pool.step()
+    assert len(pool.marks) == (rest is None)
+    for ball, end in zip((pool.cue, pool.eight), ends, strict=True):
+        assert ball.position == pytest.approx(end, abs=0.3)
 
 
 # -- games -----------------------------------------------------------------------------------------------------------
@@ -352,6 +399,8 @@ def test_words_say_how_the_game_stands() -> None:
     assert headline(session)[0] == "Pot the eight"
     assert detail(session) == "The eight goes to the upper right pocket"
     session.begin(Action.DRAW)
+    assert headline(session)[0] == "Pot the eight"
+    wait(session, 60)
     assert headline(session)[0] == "Let go to shoot"
     press(session, Action.CANCEL)
     session.power = 0.3
@@ -392,7 +441,8 @@ def test_words_say_why_a_game_is_lost() -> None:
 
 def test_words_say_what_a_shot_would_do() -> None:
     session = Session()
-    aim = session.pool.world.aim(session.pool.cue, (124.0, -31.0))
+    session.angle += 0.01
+    aim = session.pool.world.aim(session.pool.cue, session.direction)
     assert aim is not None
     cushion, pocket = Leg((0.0, 0.0), (9.0, 0.0), None), Leg((0.0, 0.0), (0.0, 9.0), "upper left pocket")
 
@@ -404,8 +454,9 @@ def test_words_say_what_a_shot_would_do() -> None:
     assert said(1.0, fall="upper left pocket") == "The cue ball falls into the upper left pocket"
     assert said(1.0, cue=pocket) == "The cue ball meets a cushion first, then it falls into the upper left pocket"
     assert said(1.0, eight=cushion) == "The eight meets a cushion"
-    assert said(0.1, eight=cushion) == "The eight stops before a cushion"
-    assert said(0.1, eight=pocket) == "The eight stops before the upper left pocket"
+    assert said(0.325, eight=cushion) == "The eight stops before a cushion"
+    assert said(0.325, eight=pocket) == "The eight stops before the upper left pocket"
+    assert said(0.1, cue=pocket, eight=pocket) == "The cue ball stops before it meets anything"
     follows = "The eight goes to the upper left pocket, but the cue ball falls into the upper left pocket"
     assert said(1.0, cue=pocket, eight=pocket) == follows
 

@@ -13,6 +13,7 @@ from carom.play.pool.app import PoolApp
 from carom.play.pool.game import Impact, Phase, Setup
 from carom.play.pool.layout import SCALE
 from carom.play.pool.table_art import pockets
+from carom.play.pool.view import ARROW
 from carom.play.window import Window
 from tests.play import screens
 
@@ -197,7 +198,7 @@ def test_a_short_game_is_lost_by_the_mouse() -> None:
     player = Player(DANGER)
     player.point((250.0, 123.0))
     player.mouse(pygame.MOUSEBUTTONDOWN, button=1, pos=(0, 0))
-    player.frames(25)
+    player.frames(50)
     assert player.session.draw is not None
     player.mouse(pygame.MOUSEBUTTONUP, button=1, pos=(0, 0))
     player.frames(30)
@@ -262,6 +263,19 @@ def test_step_mode_draws_an_arrow_where_a_ball_goes() -> None:
     assert brightened(player, ahead, 1.0) == 0.0
     player.press(pygame.K_s)
     assert brightened(player, ahead, 1.0) > 0.2
+
+
+def test_an_arrow_ends_at_the_cushion_that_a_ball_goes_to() -> None:
+    player = Player()
+    player.session.angle, player.session.power = pi / 2.0, 1.0
+    player.press(pygame.K_RETURN)
+    x, y = player.pool.cue.position
+    layout = player.app.view.layout
+    beyond = (x, layout.height + 3.0)
+    assert y + ARROW * player.pool.cue.velocity[1] > beyond[1] + 10.0
+    player.press(pygame.K_s)
+    assert brightened(player, beyond, 2.0) == 0.0
+    assert brightened(player, (x, layout.height - 5.0), 1.0) > 0.2
 
 
 # -- events ----------------------------------------------------------------------------------------------------------

@@ -76,7 +76,7 @@ BUTTONS = {
 #: What the help says: the keys, the buttons of a controller, and what they do.
 HELP: tuple[tuple[str, str, str], ...] = (
     ("Mouse, Left and Right", "cross, stick", "aim; with Shift very finely"),
-    ("Space or left button", "A", "hold to draw the cue, let go to shoot"),
+    ("Space or left button", "A", "shoot as the power says; hold: draw the cue, let go"),
     ("Backspace, right button", "B", "put the cue down again"),
     ("Up and Down, wheel", "cross, stick", "power"),
     ("Return", "", "shoot with the power shown"),

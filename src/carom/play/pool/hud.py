@@ -29,7 +29,7 @@ BELOW = 654
 
 PANEL: Colour = (16, 19, 24)
 
-KEYS_LINE = "Mouse or Left, Right: aim   ·   hold Space or the left button, let go: shoot   ·   Up, Down: power"
+KEYS_LINE = "Mouse or Left, Right: aim   ·   Up, Down: power   ·   click or Space: shoot; hold: draw the cue"
 MODES_LINE = "C: collision mode   ·   S: step mode   ·   R: again   ·   F1: help"
 
 
@@ -80,7 +80,7 @@ class Hud:
             y = BAR.y + quarter * BAR.height // 4
             pygame.draw.line(surface, (60, 66, 75), (BAR.x - 9, y), (BAR.x - 5, y))
         level = BAR.bottom - filled
-        colour = GOLD if session.draw is not None else IVORY
+        colour = GOLD if session.draw else IVORY
         pygame.draw.polygon(
             surface, colour, [(BAR.right + 5, level), (BAR.right + 12, level - 5), (BAR.right + 12, level + 5)]
         )

@@ -70,18 +70,46 @@ def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
 
 
 def reaches(pool: Pool, shown: Preview, way: Leg, share: float, power: float) -> bool:
-    """Whether a ball gets to the end of its way after the impact, which leaves it a `share` of the cue ball's speed.
+    """Whether a ball gets to the end of its way after the impact, which leaves it a `share` of the cue ball's speed."""
+    return range_after(pool, shown, share, power) > hypot(way.end[0] - way.start[0], way.end[1] - way.start[1])
 
-    Friction takes the same from the square of a speed on every centimetre.
-    """
+
+def range_of(pool: Pool, power: float) -> float:
+    """How many cm the cue ball rolls after a shot if it meets nothing."""
+    # Friction takes the same from the square of a speed on every centimetre.
     speed = speed_of(power)
-    squared = speed * speed - 2.0 * pool.world.friction * shown.aim.distance
-    needed = 2.0 * pool.world.friction * hypot(way.end[0] - way.start[0], way.end[1] - way.start[1])
-    return squared > 0.0 and squared * share * share > needed
+    return 0.5 * speed * speed / pool.world.friction
+
+
+def range_after(pool: Pool, shown: Preview, share: float, power: float) -> float:
+    """How many cm a ball rolls after the impact, which leaves it a `share` of the cue ball's speed."""
+    return max(range_of(pool, power) - shown.aim.distance, 0.0) * share * share
+
+
+def until_rest(pool: Pool, shown: Preview, way: Leg, share: float, power: float) -> Leg:
+    """A ball's way after the impact as far as it rolls, which may be no farther than to where it stops."""
+    if reaches(pool, shown, way, share, power):
+        return way
+    return Leg(way.start, along(way.start, way.end, range_after(pool, shown, share, power)), None)
+
+
+def rest_before_impact(pool: Pool, shown: Preview, power: float) -> Vector | None:
+    """Where the cue ball comes to rest if it does not get to its first impact, or None if it gets there."""
+    distance = range_of(pool, power)
+    return along(shown.aim.start, shown.aim.ghost, distance) if distance < shown.aim.distance else None
+
+
+def along(start: Vector, end: Vector, distance: float) -> Vector:
+    """The place at a distance from `start` towards `end`; `start` itself where the two are one."""
+    way = hypot(end[0] - start[0], end[1] - start[1])
+    share = distance / way if way > 0.0 else 0.0
+    return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
 
 def scratch(pool: Pool, shown: Preview, power: float) -> str | None:
     """The pocket that the cue ball falls into, at once or after its first impact, if it does."""
+    if rest_before_impact(pool, shown, power) is not None:
+        return None
     if shown.pocket is None and shown.cue is not None and shown.cue.pocket is not None:
         return shown.cue.pocket if reaches(pool, shown, shown.cue, shown.aim.speed, power) else None
     return shown.pocket

@@ -23,11 +23,9 @@ TURN, FINE_TURN, TURN_AFTER = radians(24.0), radians(1.0), 0.25
 #: How far the power goes at a press, and how fast a second while a key is held.
 POWER_NOTCH, POWER_RATE = 0.02, 0.5
 
-#: Seconds that the cue takes to be drawn back wholly; then it comes forward again.
-DRAW_TIME = 1.3
-
-#: A cue that was drawn less than this is put down without a shot.
-LEAST_DRAW = 0.04
+#: Seconds: what is held no longer than that is a click, which draws no cue; and how long the cue takes to be drawn back
+#: wholly from then on, where it stays.
+CLICK, DRAW_TIME = 0.25, 1.3
 
 #: Steps in a frame of step mode, and how many times as fast balls roll for those who cannot wait.
 FRAME_STEPS, HURRY = 2, 3
@@ -106,8 +104,8 @@ class Session:
 
     @property
     def strength(self) -> float:
-        """The power that a shot would have now: as far as the cue is drawn, or as it was set."""
-        return self.power if self.draw is None else self.draw
+        """The power that a shot would have now: as far as the cue is drawn, or, where it is not, as it was set."""
+        return self.draw or self.power
 
     def preview(self) -> Preview | None:
         """What the shot would do, while the player aims."""
@@ -132,10 +130,7 @@ class Session:
         """End an action whose key or button goes up."""
         self.held.pop(action, None)
         if action is Action.DRAW and self.draw is not None:
-            drawn, self.draw = self.draw, None
-            if drawn >= LEAST_DRAW:
-                self.power = drawn
-                self._shoot()
+            self._shoot(self.strength)
 
     def _doings(self) -> dict[Action, Callable[[Action], None]]:
         """What each action does when it begins."""
@@ -164,7 +159,7 @@ class Session:
         self.power = min(max(self.power + change, 0.0), 1.0)
 
     def _draw_cue(self) -> None:
-        """Begin to draw the cue, or another game where this one is over."""
+        """Begin a click or the drawing of the cue, or another game where this one is over."""
         if self.pool.over:
             self.again()
         elif self.pool.phase is Phase.AIM and Mode.PAUSE not in self.modes:
@@ -179,13 +174,13 @@ class Session:
         if self.pool.over:
             self.again()
         else:
-            self._shoot()
+            self._shoot(self.power)
 
-    def _shoot(self) -> None:
-        """Shoot, if it is the moment for that."""
+    def _shoot(self, power: float) -> None:
+        """Shoot, if it is the moment for that; the power that was set stays what it was."""
+        self.draw = None
         if self.pool.phase is Phase.AIM and Mode.PAUSE not in self.modes:
-            self.draw = None
-            self.pool.shoot(self.direction, self.power)
+            self.pool.shoot(self.direction, power)
             self.since_shot = 0.0
 
     def again(self) -> None:
@@ -222,9 +217,8 @@ class Session:
         self.since_end += STEP
         self._hold()
         if self.draw is not None:
-            # Up in DRAW_TIME and down again: a triangle of the time that it has been held.
-            time = self.held.get(Action.DRAW, 0.0) / DRAW_TIME
-            self.draw = 1.0 - abs(1.0 - time % 2.0)
+            held = self.held.get(Action.DRAW, 0.0)
+            self.draw = min(max(held - CLICK, 0.0) / DRAW_TIME, 1.0)
         if Mode.STEPS not in self.modes:
             self._steps(HURRY if Action.DRAW in self.held else 1)
 

@@ -13,7 +13,7 @@ from carom.play.pool.ball_art import RollingBall
 from carom.play.pool.game import Phase, Vector
 from carom.play.pool.hud import Hud
 from carom.play.pool.layout import BAD, GOLD, IVORY, SCALE, SIZE, Colour
-from carom.play.pool.preview import pocket_at, scratch
+from carom.play.pool.preview import pocket_at, rest_before_impact, scratch, until_rest
 from carom.play.pool.session import Mode, Session
 from carom.play.pool.sprites import Cue, put, ring, spot
 from carom.play.pool.table_art import cloth_of, pockets, table_picture
@@ -74,7 +74,7 @@ class View:
         if Mode.IMPACTS in session.modes:
             self._draw_paths(surface, session)
         if shown is not None:
-            self._draw_aim(surface, shown, scratch(session.pool, shown, session.strength))
+            self._draw_aim(surface, session.pool, shown, session.strength)
         if session.pool.over:
             self._draw_falls(surface, session.pool)
         self._draw_balls(surface, session)
@@ -107,13 +107,16 @@ class View:
             self.balls[name].draw(surface, (x, y), size, light)
 
     def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
-        """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds."""
+        """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds, or to the cushion before."""
         for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
             (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
-            way = SCALE * ARROW * speed
-            if way < 1.0:
+            if SCALE * ARROW * speed < 1.0:
                 continue
             start, (along_x, along_y) = self.layout.pixel((x, y)), (vx / speed, -vy / speed)
+            room = SCALE * self.layout.room((x, y), (vx / speed, vy / speed)) - self.radius - 2.0
+            way = min(SCALE * ARROW * speed, room)
+            if way < 1.0:
+                continue
             near, far = self.radius + 2.0, self.radius + 2.0 + way
             end = (start[0] + far * along_x, start[1] + far * along_y)
             stroke(surface, (start[0] + near * along_x, start[1] + near * along_y), end, colour)
@@ -146,17 +149,24 @@ class View:
 
     # -- the line of aim ---------------------------------------------------------------------------------------------
 
-    def _draw_aim(self, surface: pygame.Surface, shown: Preview, fall: str | None) -> None:
-        """Draw the line of aim, the ghost ball, where both balls go on, and the pockets that they reach."""
-        danger = shown.pocket is not None
-        start, ghost = self.layout.pixel(shown.aim.start), self.layout.pixel(shown.aim.ghost)
-        self._dash(surface, start, ghost, BAD if danger else IVORY, self.radius + 3.0, self.radius)
-        put(surface, self._ghost, ghost)
-        for leg, colour in ((shown.cue, CUE_LINE), (shown.eight, EIGHT_LINE)):
+    def _draw_aim(self, surface: pygame.Surface, pool: Pool, shown: Preview, power: float) -> None:
+        """Draw the line of aim, the ghost ball, how far both balls go on, and the pockets that they reach."""
+        fall, rest = scratch(pool, shown, power), rest_before_impact(pool, shown, power)
+        danger = fall is not None and shown.pocket is not None
+        start, end = self.layout.pixel(shown.aim.start), self.layout.pixel(rest or shown.aim.ghost)
+        self._dash(surface, start, end, BAD if danger else IVORY, self.radius + 3.0, self.radius)
+        put(surface, self._faint if rest else self._ghost, end)
+        if rest is not None:
+            return
+        for leg, share, colour in (
+            (shown.cue, shown.aim.speed, CUE_LINE),
+            (shown.eight, shown.aim.other_speed, EIGHT_LINE),
+        ):
             if leg is not None:
-                self._draw_leg(surface, leg, colour)
-        if shown.eight is not None and shown.eight.pocket is not None:
-            put(surface, self._goal, self._pockets[shown.eight.pocket])
+                way = until_rest(pool, shown, leg, share, power)
+                self._draw_leg(surface, way, colour)
+                if leg is shown.eight and way.pocket is not None:
+                    put(surface, self._goal, self._pockets[way.pocket])
         if fall is not None:
             put(surface, self._danger, self._pockets[fall])
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from carom.play.pool.game import Impact, Mark, Phase, Pool
 from carom.play.pool.layout import BAD, GOLD, GOOD, IVORY, Colour
-from carom.play.pool.preview import reaches, scratch
+from carom.play.pool.preview import reaches, rest_before_impact, scratch
 from carom.play.pool.session import Mode, Session
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def headline(session: Session) -> tuple[str, Colour]:
         return "You lose", BAD
     if pool.phase is Phase.ROLL:
         return ("The eight is down", GOLD) if pool.eight.name in pool.potted else ("The balls roll", IVORY)
-    if session.draw is not None:
+    if session.draw:
         return "Let go to shoot", GOLD
     return ("Pot the eight" if pool.shots == 0 else "Shoot again"), IVORY
 
@@ -47,6 +47,8 @@ def outlook(pool: Pool, shown: Preview | None, power: float) -> str:
     """What a shot would do."""
     if shown is None:
         return "Nothing is in the way"
+    if rest_before_impact(pool, shown, power) is not None:
+        return "The cue ball stops before it meets anything"
     fall = scratch(pool, shown, power)
     if shown.eight is None:
         after = "" if shown.pocket else "meets a cushion first" + (", then it " if fall else "")

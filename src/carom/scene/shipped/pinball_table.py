@@ -28,6 +28,7 @@ LANE = 18.6  # x of the wall between field and plunger lane
 MIDDLE = LANE / 2.0  # of the field
 OUTLANE, INLANE = 1.6, 1.9  # their widths
 SHOULDER = 1.4  # how far the shoulders stand out from the walls
+FOOT = 1.0  # of the slingshots; it ends short of the flipper, or a ball on its root would be squeezed out like a pip
 BALL_RADIUS = 0.6
 
 FLIPPER_BASE = ((MIDDLE - 4.25, 8.6), 0.6)
@@ -38,6 +39,9 @@ FLIPPER_SWING = radians(56.0)
 
 WOOD: dict[str, Any] = {"elasticity": 0.5}
 RUBBER: dict[str, Any] = {"elasticity": 0.8}
+# A bat that does not bounce carries the ball along until it stops or the ball slides off the tip: so where the ball lay
+# says where it goes. One that bounces strikes it away at once, by its outer half always the same way.
+BAT: dict[str, Any] = {"elasticity": 0.0}
 SENSOR: dict[str, Any] = {"sensor": True}
 
 
@@ -169,7 +173,7 @@ def _flipper() -> CompoundDescriptor:
     pivot, _ = FLIPPER_BASE
     tip = polar(pivot, FLIPPER_LENGTH, FLIPPER_REST)
     return CompoundDescriptor(
-        shapes=tuple(band([FLIPPER_BASE, (tip, FLIPPER_TIP_RADIUS)], elasticity=0.6)),
+        shapes=tuple(band([FLIPPER_BASE, (tip, FLIPPER_TIP_RADIUS)], **BAT)),
         pivot=pivot,
         turn_limits=(0.0, FLIPPER_SWING),
         name="left flipper",
@@ -205,7 +209,7 @@ def _slingshot() -> list[Any]:
     radius = 0.35
     x = OUTLANE + INLANE + radius
     lower = _on_guide(x, INLANE + radius)
-    inner = _on_guide(x + 2.5, INLANE + radius)
+    inner = _on_guide(x + FOOT, INLANE + radius)
     parts = band([(lower, radius), (inner, radius), ((x, 16.2), radius)], name="left slingshot", **RUBBER)
     parts[2] = parts[2].model_copy(update={"kick": 14.0, "name": "left slingshot's band"})
     return parts

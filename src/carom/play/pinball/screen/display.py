@@ -21,7 +21,8 @@ URGENT = {"WARNING", "TILT"}
 CHASE, CHASE_OF_SHOW = 3.0, 14.0
 #: High scores on one page.
 PER_PAGE = 3
-KEYS = "Shift: flippers    Space: plunger    A W D: nudge    F1: help"
+# Shift is not named here: Windows takes five presses of it for the wish for sticky keys.
+KEYS = "Left, Right: flippers    Space: plunger    A W D: nudge    F1: help"
 
 
 def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:

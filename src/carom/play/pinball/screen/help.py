@@ -8,8 +8,8 @@ from carom.play.letters import Letters
 from carom.play.pinball.art.paint import CORAL, CREAM, GOLD, NIGHT, TEAL, mixed
 
 KEYS = (
-    ("Left Shift, Z, Left", "left flipper; moves the lit lanes to the left"),
-    ("Right Shift, /, Right", "right flipper; moves the lit lanes to the right"),
+    ("Left, Z, left Shift", "left flipper; moves the lit lanes to the left"),
+    ("Right, /, right Shift", "right flipper; moves the lit lanes to the right"),
     ("Space, Down", "hold to draw the plunger, let go to shoot; starts a game"),
     ("Return, 1", "starts a game"),
     ("A, D, W or Up", "nudge the table: to the left, to the right, upward"),
