@@ -50,7 +50,7 @@ class Layout:
         """The place of the table at a pixel: the inverse of `pixel`."""
         return (pixel[0] - self.left) / SCALE, self.height - (pixel[1] - self.top) / SCALE
 
-    def room(self, place: Vector, direction: Vector) -> float:
+    def distance_to_edge(self, place: Vector, direction: Vector) -> float:
         """How far it is from a place to the edge of the cloth along a unit vector, in cm; 0 from beyond it."""
         ways = [
             ((side if along > 0.0 else 0.0) - at) / along

@@ -113,8 +113,8 @@ class View:
             if SCALE * ARROW * speed < 1.0:
                 continue
             start, (along_x, along_y) = self.layout.pixel((x, y)), (vx / speed, -vy / speed)
-            room = SCALE * self.layout.room((x, y), (vx / speed, vy / speed)) - self.radius - 2.0
-            way = min(SCALE * ARROW * speed, room)
+            to_edge = SCALE * self.layout.distance_to_edge((x, y), (vx / speed, vy / speed))
+            way = min(SCALE * ARROW * speed, to_edge - self.radius - 2.0)
             if way < 1.0:
                 continue
             near, far = self.radius + 2.0, self.radius + 2.0 + way
