@@ -2,5 +2,5 @@
 
 import os
 
-# What is measured is compiled before any clock runs, except where starting up is what is measured.
+# What is measured is compiled before any clock runs; where starting up is measured, the clock runs meanwhile.
 os.environ.setdefault("CAROM_COMPILE", "wait")
