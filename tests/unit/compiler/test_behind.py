@@ -15,7 +15,7 @@ from tests.worlds import bits, crowded
 
 #: Compiles a kernel behind, with an empty cache, and calls it until it is compiled and once more.
 BEHIND = """
-import sys, time
+import time
 from carom.compiler import door
 from carom.compiler.child import compiling
 from carom.world.ahead import examples
