@@ -1,4 +1,4 @@
-"""From nothing to the first step, in fresh processes: importing, waiting for the compiler and stepping, with an empty cache and a filled one."""
+"""From nothing to the first step, in fresh processes: importing, then stepping with an empty cache and a filled one."""
 
 import os
 import subprocess
