@@ -15,12 +15,27 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import aiming, continuous, drawing, galton, gas, heaps, memory, pinball, play, rooms, scaling, startup
+from benchmarks import (
+    aiming,
+    continuous,
+    door,
+    drawing,
+    galton,
+    gas,
+    heaps,
+    memory,
+    pinball,
+    play,
+    rooms,
+    scaling,
+    startup,
+)
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
     "gas": gas,
     "galton": galton,
+    "door": door,
     "pinball": pinball,
     "aiming": aiming,
     "continuous": continuous,

@@ -160,7 +160,7 @@ def starve(world: carom.World) -> None:
     arrays.relations = arrays.relations[:2].copy()
     _put_back(world, kept)
     assert arrays.states[0]["relations"] == relations
-    world._arguments = None
+    world._forget_block()
 
 
 def _relations(world: carom.World) -> Any:

@@ -76,6 +76,8 @@ def _digits(number: int) -> str:
 
 def number(name: str, value: Any) -> float:
     """`value` as a finite float."""
+    if type(value) is float and isfinite(value):
+        return value
     if isinstance(value, (bool, str, bytes)):
         raise refuse(name, "must be a number", value)
     try:
@@ -111,6 +113,8 @@ def pair(name: str, value: Any) -> Vector:
         x, y = value
     except (TypeError, ValueError):
         raise refuse(name, "must be a pair of numbers", value) from None
+    if type(x) is type(y) is float and isfinite(x) and isfinite(y):
+        return x, y
     return number(f"{name}[0]", x), number(f"{name}[1]", y)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src"
 PACKAGE = SOURCE / "carom"
-COMPILER_DOOR = PACKAGE / "compiler" / "door.py"
+COMPILER_DOORS = [PACKAGE / "compiler" / "door.py", PACKAGE / "compiler" / "entered.py"]
 KERNEL_LIST = PACKAGE / "compiler" / "kernels.py"
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef

@@ -16,6 +16,7 @@ import numpy as np
 from carom import checks
 from carom.compiler import child
 from carom.compiler.behind import Behind, NotKept, Size
+from carom.compiler.block import Block
 from carom.compiler.cache import cache_folder, cached, forget, uncached
 from carom.compiler.kernels import Kernel, kernel_functions
 from carom.compiler.lock import claimed
@@ -41,12 +42,24 @@ def one(*_: Any) -> tuple[int, float]:
 def load(function: Kernel, size: Size = one) -> Kernel:
     """The kernel `function`, compiled where it is, or will be by and by; `size` says how much work a call of it is."""
     if function not in _loaded:
-        _loaded[function] = _opened(function, size)
+        _loaded[function] = _opened(function, size, Entry)
+    return _loaded[function]
+
+
+def enter(function: Kernel, size: Size = one) -> Kernel:
+    """As `load`, of a kernel that is called with a `Block` of its arguments, which costs less.
+
+    Where it is compiled, what comes back is an `At`.
+    """
+    if function not in _loaded:
+        _loaded[function] = _opened(function, size, BlockEntry)
     return _loaded[function]
 
 
 def keep(function: Kernel, arguments: tuple[Any, ...]) -> float | None:
     """Seconds that it took to compile the kernel `function` for `arguments` and keep it; None if it was there.
+
+    One `Block` is what a kernel is given that is entered.
 
     Raises:
         CompileError: There is no compiler, it is switched off, or nothing can be kept.
@@ -56,7 +69,7 @@ def keep(function: Kernel, arguments: tuple[Any, ...]) -> float | None:
     numba = _numba()
     if numba is None:
         raise CompileError("nothing is compiled: Numba is not installed, or switched off by NUMBA_DISABLE_JIT")
-    entry = Entry(numba, function)
+    entry = (BlockEntry if isinstance(arguments[0], Block) else Entry)(numba, function)
     if not entry.lasting:
         raise CompileError(f"compiled code cannot be kept: {cache_folder()} cannot be written to")
     with _compiling:
@@ -74,15 +87,16 @@ def way() -> str:
     return checks.one_of(VARIABLE, os.environ.get(VARIABLE) or BACKGROUND, WAYS)
 
 
-def _opened(function: Kernel, size: Size) -> Kernel:
+def _opened(function: Kernel, size: Size, way_in: type[Entry]) -> Kernel:
     """The function as it is to be called from now on, until it replaces that by something better."""
     chosen = way()
     numba = None if chosen == OFF else _numba()
+    interpreted = way_in.interpreted(function)
     if numba is None:
-        return _quiet(function)
-    entry = Entry(numba, function)
+        return interpreted
+    entry = way_in(numba, function)
     if chosen == BACKGROUND and entry.lasting and child.possible():
-        return Behind(function, _quiet(function), size, entry, _compiling)
+        return Behind(function, interpreted, size, entry, _compiling)
     return _first_call(entry)
 
 
@@ -145,10 +159,14 @@ class Entry:
         lasting: Whether what is compiled can be kept.
     """
 
+    #: The kernel as the interpreter runs it.
+    interpreted = staticmethod(_quiet)
+
     def __init__(self, numba: Any, function: Kernel) -> None:
         self._numba = numba
         self._function = function
-        self._kernel = cached(numba, function)
+        self._source = self.source()
+        self._kernel = cached(numba, self._source)
         self.lasting = self._kernel is not None
 
     def kept(self, arguments: tuple[Any, ...]) -> Kernel:
@@ -197,9 +215,13 @@ class Entry:
                     self.lasting = False
             if self.lasting:
                 return kept
-        kernel: Any = uncached(self._numba, self._function)
+        kernel: Any = uncached(self._numba, self._source)
         kernel.compile(signature)
         return kernel
+
+    def source(self) -> Kernel:
+        """The function that is compiled."""
+        return self._function
 
     def _signature(self, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
         """What Numba takes the types of arguments to be."""
@@ -209,3 +231,48 @@ class Entry:
         """The kernel, which `load` returns from now on."""
         _loaded[self._function] = kernel
         return kernel
+
+
+class At:
+    """A compiled kernel that is called with a `Block`.
+
+    Attributes:
+        at: The same, called with the block's address alone.
+    """
+
+    __slots__ = ("at",)
+
+    def __init__(self, at: Kernel) -> None:
+        self.at = at
+
+    def __call__(self, block: Block) -> Any:
+        """What the kernel returns."""
+        return self.at(block.address)
+
+
+class BlockEntry(Entry):
+    """That of a kernel which is called with a `Block`."""
+
+    @staticmethod
+    def interpreted(function: Kernel) -> Kernel:
+        """The kernel, interpreted with the arrays of the block."""
+        called = _quiet(function)
+        return lambda block: called(*block.arguments)
+
+    def source(self) -> Kernel:
+        """The function of an address that calls the kernel."""
+        from carom.compiler.entered import entered
+
+        return entered(self._function)
+
+    def _signature(self, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+        """An address; the types of what lies there are noted."""
+        from carom.compiler.entered import SIGNATURE, note_kinds
+
+        (block,) = arguments
+        note_kinds(self._function, self._numba.typeof(block.arguments))
+        return SIGNATURE
+
+    def _settled(self, kernel: Kernel) -> Kernel:
+        """The kernel, which `enter` returns from now on."""
+        return super()._settled(At(kernel))

@@ -19,10 +19,16 @@ from carom.shapes.aabb import Aabb
 from carom.shapes.detection import Contact, detect_pair
 from carom.shapes.round import Round
 from carom.shapes.shape import Shape
-from carom.shapes.table import put_fields
+from carom.shapes.table import put_fields, word_of
 from carom.spelling import spelled
 from carom.turns import changing
 from carom.typing import Pair, Restitution, Vector
+
+#: Where a row has them, as words of 64 bits.
+PLACE, VELOCITY = word_of(BALL, "x"), word_of(BALL, "vx")
+
+#: What is said of a ball that is put beyond the range of numbers.
+LEAVES = "must leave the ball's box and velocity finite"
 
 
 class BallGeometry(TypedDict, total=False):
@@ -110,8 +116,7 @@ class Ball(Round[BallRow]):
     @property
     def position(self) -> Vector:
         """Where its centre is."""
-        row = self._row
-        return float(row["x"]), float(row["y"])
+        return self._table.pair(self, PLACE)
 
     @position.setter
     @changing
@@ -120,19 +125,21 @@ class Ball(Round[BallRow]):
 
     def _put_at(self, name: str, value: Pair) -> None:
         x, y = pair(name, value)
-        self._write(self._with(name, value, x=x, y=y))
+        if not all(map(isfinite, circle_box(x, y, self.radius))):
+            raise refuse(name, LEAVES, value)
+        self._table.put_pair(self, PLACE, x, y)
+        self._change()
 
     @property
     def velocity(self) -> Vector:
         """How fast it moves, in length/s."""
-        row = self._row
-        return float(row["vx"]), float(row["vy"])
+        return self._table.pair(self, VELOCITY)
 
     @velocity.setter
     @changing
     def velocity(self, value: Pair) -> None:
-        vx, vy = pair("velocity", value)
-        self._write(self._with("velocity", value, vx=vx, vy=vy))
+        self._table.put_pair(self, VELOCITY, *pair("velocity", value))
+        self._change()
 
     @property
     def radius(self) -> float:
@@ -242,7 +249,7 @@ def _check(row: BallRow, name: str, value: object) -> None:
     """Raise where a ball's box or velocity is not finite, with argument `name` and its `value` to blame."""
     box = circle_box(float(row["x"]), float(row["y"]), float(row["radius"]))
     if not all(map(isfinite, (*box, row["vx"], row["vy"]))):
-        raise refuse(name, "must leave the ball's box and velocity finite", value)
+        raise refuse(name, LEAVES, value)
 
 
 def _check_contact(value: Any, ball: Ball) -> None:

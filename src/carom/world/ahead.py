@@ -91,7 +91,7 @@ def examples() -> dict[Kernel, tuple[Any, ...]]:
         return (queries, *tables, *list_of(numbers), *list_of(numbers), numbers, *answers)
 
     return {
-        step_discrete: discrete.arguments(),
+        step_discrete: (discrete.block(),),
         cast_many: asked(*casts),
         nearest_many: asked(np.zeros(0, NEIGHBOR)),
         overlapping_many: asked(np.zeros(0, IN_BOX)),
@@ -99,7 +99,7 @@ def examples() -> dict[Kernel, tuple[Any, ...]]:
         width_of_all: tables,
         build_search_grid: (np.zeros(1, SEARCH_GRID), *tables, numbers, numbers, numbers),
         aim_many: (queries, *casts, np.zeros(0, np.int64), np.zeros((0, 2)), *tables, False, np.zeros(0, AIM)),
-        step_continuous: continuous.arguments(),
+        step_continuous: (continuous.block(),),
     }
 
 

@@ -88,9 +88,9 @@ def goes_on(film: Arrays, index: int) -> bool:
     clear_kernel_place(state)
     state["hits"] = state["max_impacts"] = state["bounded"] = 0
     state["dt"], state["steps_left"], state["watched"] = FAR, 1, index + 1
-    kernel = door.load(step_continuous, step_size)
-    status = kernel(*film.arguments())
+    kernel = door.enter(step_continuous, step_size)
+    status = kernel(film.block())
     while status in (NEEDS_ROOM, NEEDS_PAIRS):
         film.extend(status)
-        status = kernel(*film.arguments())
+        status = kernel(film.block())
     return bool(status == DONE and state["steps_left"] == 0 and state["now"] < FAR)

@@ -70,7 +70,14 @@ class Hits(Plural[Hit]):
 
     DTYPE = HIT
 
-    _gone: Rows | None
+    _gone: Rows | None = None
+
+    @classmethod
+    def of_bytes(cls, world: World, rows: bytearray) -> Hits:
+        """Hits of a world from the bytes of rows of dtype `HIT`."""
+        hits = cls((len(rows) // HIT.itemsize,), HIT, rows)
+        hits._link = world._link
+        return hits
 
     @classmethod
     def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Hits:
@@ -81,8 +88,9 @@ class Hits(Plural[Hit]):
         return hits
 
     def __array_finalize__(self, source: Any) -> None:
-        super().__array_finalize__(source)
-        self._gone = getattr(source, "_gone", None)
+        if source is not None:
+            super().__array_finalize__(source)
+            self._gone = getattr(source, "_gone", None)
 
     def __repr__(self) -> str:
         return f"<{len(self)} hits>"

@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
+from carom.compiler.block import Block
+from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import Motion
-from carom.rows.state import DISCRETE, StateRow
+from carom.rows.shape import BALL_KIND, Motion
+from carom.rows.state import DISCRETE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -43,12 +45,16 @@ T4 = TypeVar("T4", bound=Shape | Ball | Compound)
 
 NO_BALLS: Rows = np.zeros(0, BALL)
 
+#: The word of a state, one of 32 bits, that says whether something was changed.
+WAKE = STATE.fields["wake"][1] // 4  # type: ignore[index]
+
 
 class Members:
     """The shapes and balls of a `World`: the objects, and the rows that they are views of."""
 
     _arrays: Arrays
     _states: Table[StateRow]
+    _halves: memoryview[int]
     _search: Search | None
 
     @property
@@ -64,7 +70,8 @@ class Members:
         self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
-        self._arguments: tuple[Any, ...] | None = None
+        self._block: Block | None = None
+        self._quick: tuple[Kernel, int] | None = None
         self._dt = -1.0
         self._lent: Rows | None = None
         self._turn = Turn()
@@ -301,13 +308,12 @@ class Members:
 
     def _changed(self, member: Any) -> None:
         """Take note that a member was changed from outside."""
-        state = self._states[0]
-        state["wake"] = 1
-        if isinstance(member, Ball):
+        self._halves[WAKE] = 1
+        if member._KIND == BALL_KIND:
             return
-        moving = self._arrays.order[int(state["fixed"]) :]
-        if self._arguments is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
-            state["moving_stale"] = 1
+        moving = self._arrays.moving
+        if self._block is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
+            self._states[0]["moving_stale"] = 1
         else:
             self._rearrange()
 
@@ -319,8 +325,12 @@ class Members:
     def _rearrange(self) -> None:
         """Have the next step look at its tables anew."""
         self._states[0]["wake"] = 1
-        self._arguments = None
         self._search = None
+        self._forget_block()
+
+    def _forget_block(self) -> None:
+        """Have the next step look for its tables anew, and go the long way to its kernel."""
+        self._block = None
         self._dt = -1.0
 
     def _will_wake(self) -> bool:

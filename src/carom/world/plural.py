@@ -29,7 +29,7 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
 
     DTYPE: ClassVar[np.dtype[Any]]
 
-    _link: Link | None
+    _link: Link | None = None
 
     @classmethod
     def of(cls, world: World, rows: Rows) -> Self:
@@ -39,7 +39,8 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
         return plural
 
     def __array_finalize__(self, source: Any) -> None:
-        self._link = getattr(source, "_link", None)
+        if source is not None:
+            self._link = getattr(source, "_link", None)
 
     @property
     def _world(self) -> World:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from carom.compiler.block import Block
 from carom.rows.state import DISCRETE
 from carom.rows.tables import Rows
 
@@ -13,9 +14,9 @@ from carom.rows.tables import Rows
 LOOKED_AT = 16
 
 
-def step_size(states: Rows, *_: Any) -> tuple[int, float]:
+def step_size(block: Block) -> tuple[int, float]:
     """The steps of a call, and for each of them a unit for each ball and substep, and one for each shape."""
-    state = states[0]
+    state = block.arguments[0][0]
     substeps = int(state["substeps"]) if state["detection"] == DISCRETE else 1
     return int(state["steps_left"]), float(int(state["balls"]) * substeps + int(state["shapes"]))
 

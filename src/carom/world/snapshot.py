@@ -150,8 +150,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     world._departed = Departed()
     world._lent = None
     world._left = contents.balls[:0].copy()
-    world._arguments = None
-    world._dt = -1.0
+    world._forget_block()
     _restore_objects(world, contents, left)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.compiler.block import Block
 from carom.errors import InvalidArgument
 from carom.rows.ball import BALL, BallRow
 from carom.rows.flight import FLIGHT
@@ -18,7 +19,7 @@ from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, KINEMATIC, SHAPE, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE, StateRow
 from carom.rows.tables import Rows, Table
-from carom.shapes.table import Owner, R, RowTable
+from carom.shapes.table import Owner, R, RowTable, word_of
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -28,10 +29,11 @@ if TYPE_CHECKING:
 class WorldTable(RowTable[R]):
     """The rows of all balls or of all shapes of a world. Ids ascend, so a row is found by its id wherever it moved."""
 
-    __slots__ = ("count",)
+    __slots__ = ("_id", "count")
 
     def __init__(self, dtype: np.dtype[Any], capacity: int = 0) -> None:
         super().__init__(np.zeros(capacity, dtype))
+        self._id = word_of(dtype, "id")
         self.count = 0
 
     @property
@@ -42,7 +44,9 @@ class WorldTable(RowTable[R]):
     def index(self, owner: Owner) -> int:
         """The index of `owner`'s row; remembered, and looked up again where rows have moved."""
         index = owner._index
-        if not (0 <= index < self.count and self.rows[index]["id"] == owner._id):
+        if self._seen is not self.rows:
+            self._look()
+        if not (0 <= index < self.count and self._whole[index * self._width + self._id] == owner._id):
             index = self.find(owner._id)
             owner._index = index
         return index
@@ -87,6 +91,7 @@ class Arrays:
         self.balls = WorldTable[BallRow](BALL)
         self.shapes = WorldTable[ShapeRow](SHAPE)
         self.order = np.zeros(0, "i4")
+        self.moving: frozenset[int] = frozenset()
         self.index = np.zeros(2, INDEX)
         self.cells = np.zeros(256, CELL)
         self.members = np.zeros(256, "i4")
@@ -95,6 +100,7 @@ class Arrays:
         self.pairs = np.zeros((16, 2), "i4")
         self.saved = np.zeros(0, SAVED)
         self.hits = np.zeros(64, HIT)
+        self._hits_seen: Rows | None = None
         self.relations = np.zeros(32, RELATION)
         self.flights = np.zeros(0, FLIGHT)
         self.queue = np.zeros(0, "i4")
@@ -104,7 +110,7 @@ class Arrays:
         """The table that has the rows of what is like a member."""
         return self.balls if member._KIND == BALL_KIND else self.shapes
 
-    def arguments(self) -> tuple[Any, ...]:
+    def block(self) -> Block:
         """The arguments of a step's kernel; that of the continuous mode has three more."""
         tables = (
             self.states,
@@ -122,13 +128,13 @@ class Arrays:
             self.relations,
         )
         if self.states[0]["detection"] == DISCRETE:
-            return tables
+            return Block(tables)
         bodies, contacts = self.island
         if len(bodies) < len(self.balls.rows) or len(contacts) < len(self.relations) // 2:
             # An island has no more balls than there are, and no more contacts than relations in use.
             room = len(self.relations) // 2
             self.island = (np.zeros(len(self.balls.rows), BODY), np.zeros(room, ISLAND_CONTACT))
-        return (*tables, self.flights, self.queue, self.island)
+        return Block((*tables, self.flights, self.queue, self.island))
 
     def prepare(self) -> None:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
@@ -141,6 +147,7 @@ class Arrays:
         kinematic = int(np.count_nonzero(rows["motion"] == KINEMATIC))
         state["fixed"] = self.shapes.count - kinematic
         state["index_stale"] = 1
+        self.moving = frozenset(self.order[self.shapes.count - kinematic :].tolist())
         # Behind the shapes a step keeps a copy of the kinematic ones, to go back to if it fails.
         self.shapes.reserve(self.shapes.count + kinematic)
         if len(self.saved) < self.balls.count:
@@ -166,6 +173,13 @@ class Arrays:
             # The index of the shapes, which need not be made again, stands at the beginning of both.
             self.cells = self._at_least(self.cells, state["wanted_cells"], keep=len(self.cells))
             self.members = self._at_least(self.members, state["wanted_members"], keep=len(self.members))
+
+    def hit_bytes(self, count: int) -> bytearray:
+        """A copy of the first hits as bytes, since NumPy copies structured rows field by field."""
+        if self._hits_seen is not self.hits:
+            self._hit_bytes = memoryview(self.hits.view(np.uint8))  # type: ignore[arg-type]
+            self._hits_seen = self.hits
+        return bytearray(self._hit_bytes[: count * HIT.itemsize])
 
     def extend_hits(self) -> None:
         """Make room for `state["wanted_hits"]` hits."""

@@ -11,10 +11,12 @@ import numpy as np
 
 from carom import checks
 from carom.compiler import door
+from carom.compiler.door import At
+from carom.compiler.kernels import Kernel
 from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.relation import NO_RELATION
-from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE
+from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
 from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
@@ -37,6 +39,9 @@ from carom.world.views import note_lent, see_lent
 
 #: The kernel of each detection's step.
 STEP_KERNELS = (step_discrete, step_continuous)
+
+#: Words of a state, as Python reads and writes them: a tenth of what a field of a record takes.
+STEPS_LEFT, HITS = (STATE.fields[name][1] // 8 for name in ("steps_left", "hits"))  # type: ignore[index]
 
 #: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
 SLICE_SECONDS = 0.1
@@ -82,7 +87,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     ) -> None:
         given = locals()
         self._arrays = Arrays()
+        states: Any = self._arrays.states
         self._states = self._arrays.states
+        self._halves, self._words = memoryview(states.view(np.int32)), memoryview(states.view(np.int64))
         self._states[0]["free_relation"] = NO_RELATION
         self._states[0]["next_id"] = 1
         self._forget_objects()
@@ -110,7 +117,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             WorldBusy: The world is in use, in another thread or by what has called this.
         """
         length = checks.non_negative("dt", dt)
-        # What `having` does, without the call: a step of one ball takes a few millionths of a second.
+        # What `having` does, without the call: a step of one ball takes a millionth of a second.
         turn = self._turn
         try:
             del turn.free
@@ -118,7 +125,15 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             raise busy() from None
         try:
             self._departed.forget_oldest()
-            return self._advance(1, length)
+            if self._quick is None or length != self._dt:
+                return self._advance(1, length)
+            kernel, address = self._quick
+            words = self._words
+            words[STEPS_LEFT] = 1
+            status = kernel(address)
+            if status != DONE:
+                return self._go_on(status)
+            return self._take_hits() if words[HITS] else self._no_hits
         finally:
             turn.free = None
 
@@ -192,56 +207,74 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
         """Leave the hits of a run that was interrupted to the next step or run."""
         self._arrays.give_back(_joined(parts))
-        self._arguments = None
+        self._forget_block()
         for rows in gone:
             self._departed.keep_balls(rows)
 
     def _advance(self, steps: int, dt: float) -> Hits:
         """The hits of a number of steps, made without coming back to Python but for more room and for strays."""
+        # First of all, for the block whose address it holds may go, and Ctrl-C may come.
+        self._quick = None
         if self._lent is not None:
             see_lent(self)
         state = self._states[0]
-        if self._arguments is None:
+        if self._block is None:
             self._arrays.prepare()
-            self._arguments = self._arrays.arguments()
-        kernel = door.load(STEP_KERNELS[state["detection"]], step_size)
+            self._block = self._arrays.block()
         if dt != self._dt:
             state["dt"] = self._dt = dt
         state["steps_left"] = steps
-        if self._removed or self._left is not NO_BALLS:
-            self._removed = []
-            self._left = NO_BALLS
+        self._removed = []
+        self._left = NO_BALLS
+        return self._go_on(None)
+
+    def _go_on(self, status: int | None) -> Hits:
+        """The hits of the steps that are left, given what the kernel said; None before it was called."""
+        kernel = door.enter(STEP_KERNELS[self._states[0]["detection"]], step_size)
         try:
-            status = kernel(*self._arguments)
             while status != DONE:
-                self._serve(status)
-                status = kernel(*self._arguments)
+                if status is not None:
+                    self._serve(status)
+                status = kernel(self._block)
         except BaseException as error:
-            if not isinstance(error, (NonFiniteState, InvalidArgument, ImpactLimit)) and state["stage"] != 0:
-                self._roll_back()
-            clear_kernel_place(state)
-            self._arguments = None
+            self._give_up(error)
             raise
         finally:
             if self._lent is not None:
                 note_lent(self)
         if not self._removed:
-            return Hits.of(self, self._take_hits()) if state["hits"] else self._no_hits
+            self._quick = self._way_in(kernel)
+            return self._take_hits() if self._words[HITS] else self._no_hits
         rows = self._take_hits()
         gone = np.concatenate(self._removed)
         self._left = gone
-        return Hits.of(self, rows, gone)
+        rows._gone = gone
+        return rows
 
-    def _take_hits(self) -> Rows:
-        """A copy of the hits recorded so far, in order of time, which are then forgotten."""
+    def _way_in(self, kernel: Kernel) -> tuple[Kernel, int] | None:
+        """What a step like the last one is made with, a compiled kernel and an address; None where more must be done.
+
+        It serves until another `dt` is wanted, the block is forgotten, or a column is lent.
+        """
+        if self._block is None or self._lent is not None or not isinstance(kernel, At):
+            return None
+        return kernel.at, self._block.address
+
+    def _give_up(self, error: BaseException) -> None:
+        """Undo a step that was interrupted, and forget where it was."""
         state = self._states[0]
-        count = int(state["hits"])
-        if count == 0:
-            return NO_ROWS
-        rows = self._arrays.hits[:count].copy()
-        state["hits"] = 0
+        if not isinstance(error, (NonFiniteState, InvalidArgument, ImpactLimit)) and state["stage"] != 0:
+            self._roll_back()
+        clear_kernel_place(state)
+        self._forget_block()
+
+    def _take_hits(self) -> Hits:
+        """A copy of the hits recorded so far, in order of time, which are then forgotten."""
+        count = self._words[HITS]
+        rows = Hits.of_bytes(self, self._arrays.hit_bytes(count))
+        self._words[HITS] = 0
         # A ball in flight finds out that it has left a sensor only later.
-        if (np.diff(rows["time"]) < 0.0).any():
+        if count > 1 and (np.diff(rows["time"]) < 0.0).any():
             rows = rows[np.argsort(rows["time"], kind="stable")]
         return rows
 
@@ -261,7 +294,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             error = refusal(status, self._arrays)
             error.hits = self._take_hits()
             raise error
-        self._arguments = self._arrays.arguments()
+        self._block = self._arrays.block()
 
     def _roll_back(self) -> None:
         """Undo the part of a step that was interrupted in the interpreter."""

@@ -9,6 +9,7 @@ import pytest
 import carom
 from carom.compiler import behind, child, door
 from carom.compiler.behind import Behind, NotKept
+from carom.compiler.door import At
 from carom.world.world import STEP_KERNELS
 from tests import fresh
 from tests.worlds import bits, crowded
@@ -155,10 +156,10 @@ def test_the_bits_are_those_of_a_world_that_was_never_interpreted(
 ) -> None:
     world = crowded(balls=4, detection=detection)
     parts = [bits(world.step(1 / 60)) for _ in range(4)]
-    assert isinstance(door.load(STEP_KERNELS[world._states[0]["detection"]]), Behind)
+    assert isinstance(door.enter(STEP_KERNELS[world._states[0]["detection"]]), Behind)
     changing.append("compiled")
     parts += [bits(world.step(1 / 60)) for _ in range(4)]
-    assert hasattr(door.load(STEP_KERNELS[world._states[0]["detection"]]), "signatures")
+    assert isinstance(door.enter(STEP_KERNELS[world._states[0]["detection"]]), At)
     for way in ("wait", "off"):
         monkeypatch.setenv("CAROM_COMPILE", way)
         monkeypatch.setattr(door, "_loaded", {})
@@ -175,7 +176,7 @@ def test_a_run_changes_over_on_its_way(changing: list[str]) -> None:
         changing.append("compiled")
 
     world.run(0.5, progress=progress)
-    assert hasattr(door.load(STEP_KERNELS[0]), "signatures")
+    assert isinstance(door.enter(STEP_KERNELS[0]), At)
     pure = crowded(balls=4)
     pure.run(0.5)
     assert pure.digest() == world.digest()

@@ -5,7 +5,7 @@ import numpy as np
 from carom import Ball, Point
 from carom.rows.ball import BALL
 from carom.rows.shape import SHAPE
-from carom.shapes.table import RowTable, put_fields
+from carom.shapes.table import RowTable, put_fields, word_of
 
 
 class Owner:
@@ -46,3 +46,34 @@ def test_fields_are_put_into_a_row_by_name() -> None:
     row = Ball((0, 0), 1)._row
     put_fields(row, {"x": 2.0, "mass": 5.0})
     assert (row["x"], row["y"], row["mass"]) == (2.0, 0.0, 5.0)
+
+
+def test_pairs_are_read_and_written_as_fields_are() -> None:
+    table = RowTable(np.zeros(3, BALL))
+    owner, word = Owner(1), word_of(BALL, "vx")
+    table.rows["vx"], table.rows["vy"] = [1, 2, 3], [4, 5, 6]
+    assert table.pair(owner, word) == (2.0, 5.0)
+    table.put_pair(owner, word, -0.5, 1e300)
+    assert (table.rows["vx"].tolist(), table.rows["vy"].tolist()) == ([1, -0.5, 3], [4, 1e300, 6])
+    assert all(table.rows[field].tolist() == [0, 0, 0] for field in ("x", "y", "radius"))
+
+
+def test_pairs_are_those_of_the_rows_that_are_there_now() -> None:
+    table = RowTable(np.zeros(2, BALL))
+    owner, word = Owner(0), word_of(BALL, "x")
+    assert table.pair(owner, word) == (0.0, 0.0)
+    table.rows = np.ones(2, BALL)
+    assert table.pair(owner, word) == (1.0, 1.0)
+    table.rows = np.full(2, 2, BALL)
+    table.put_pair(owner, word, 3.0, 4.0)
+    assert (table.rows["x"].tolist(), table.rows["y"].tolist()) == ([3, 2], [4, 2])
+
+
+def test_every_field_has_its_word() -> None:
+    for dtype in (BALL, SHAPE):
+        rows = np.zeros(1, dtype)
+        for name in dtype.names:
+            if dtype[name] == np.float64:
+                rows[name] = 0.5
+                assert rows.view(np.float64)[word_of(dtype, name)] == 0.5
+                rows[name] = 0.0

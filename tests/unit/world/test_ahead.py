@@ -1,5 +1,6 @@
 """What is compiled ahead is what worlds call: every kernel, for arguments of the very types."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 import carom
 from carom.compiler import door
+from carom.compiler.block import Block
 from carom.compiler.kernels import Kernel
 from carom.world import ahead
 from tests.worlds import crowded
@@ -19,14 +21,18 @@ def called(monkeypatch: pytest.MonkeyPatch) -> Called:
     """The calls of kernels that worlds make, which are interpreted."""
     calls: Called = []
 
-    def load(kernel: Kernel, size: Any) -> Kernel:
-        def noting(*arguments: Any) -> Any:
-            calls.append((kernel, arguments))
-            return kernel(*arguments)
+    def noting(interpreted: Callable[[Kernel], Kernel]) -> Callable[[Kernel, Any], Kernel]:
+        def load(kernel: Kernel, size: Any) -> Kernel:
+            def noted(*arguments: Any) -> Any:
+                calls.append((kernel, arguments))
+                return interpreted(kernel)(*arguments)
 
-        return noting
+            return noted
 
-    monkeypatch.setattr(door, "load", load)
+        return load
+
+    monkeypatch.setattr(door, "load", noting(door.Entry.interpreted))
+    monkeypatch.setattr(door, "enter", noting(door.BlockEntry.interpreted))
     return calls
 
 
@@ -34,6 +40,8 @@ def type_of(argument: Any) -> Any:
     """What the compiler sees of an argument."""
     if isinstance(argument, tuple):
         return tuple(map(type_of, argument))
+    if isinstance(argument, Block):
+        return Block, type_of(argument.arguments)
     if isinstance(argument, np.ndarray):
         return argument.dtype, argument.ndim, argument.flags.c_contiguous, argument.flags.writeable
     return type(argument)

@@ -23,7 +23,7 @@ class Interrupt(KeyboardInterrupt):
 @pytest.fixture
 def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Kernels are interpreted, so that they can be interrupted."""
-    monkeypatch.setattr(door, "load", lambda kernel, size: kernel)
+    monkeypatch.setattr(door, "enter", lambda kernel, size: door.BlockEntry.interpreted(kernel))
 
 
 @contextmanager

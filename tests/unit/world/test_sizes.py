@@ -15,7 +15,7 @@ def units_of_a_step(scene: carom.Scene, detection: carom.typing.Detection = "dis
     world = scene.build()
     world.detection = detection
     world._arrays.prepare()
-    return step_size(*world._arrays.arguments())[1]
+    return step_size(world._arrays.block())[1]
 
 
 def test_games_are_small_and_crowds_are_not() -> None:
@@ -29,7 +29,7 @@ def test_games_are_small_and_crowds_are_not() -> None:
 def test_steps_are_those_that_are_left() -> None:
     world = carom.World()
     world._states[0]["steps_left"] = 7
-    assert step_size(*world._arrays.arguments()) == (7, 0.0)
+    assert step_size(world._arrays.block()) == (7, 0.0)
 
 
 def test_a_query_may_look_at_everything_and_many_may_look_at_more() -> None:

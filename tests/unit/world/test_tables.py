@@ -83,3 +83,16 @@ def test_hits_that_are_given_back_come_first() -> None:
     early["time"] = [1.0, 2.0]
     arrays.give_back(early)
     assert arrays.hits["time"][: arrays.states[0]["hits"]].tolist() == [1, 2, 3, 4]
+
+
+def test_pairs_are_found_by_ids_wherever_the_rows_moved() -> None:
+    world = carom.World()
+    balls = world.add(*(carom.Ball((float(i), -float(i)), 0.5) for i in range(6)))
+    assert [ball.position for ball in balls] == [(i, -i) for i in range(6)]
+    world.remove(balls[0], balls[3])
+    world.add(*(carom.Ball((9.0, 9.0), 0.5) for _ in range(20)))
+    left = [balls[i] for i in (1, 2, 4, 5)]
+    assert [ball.position for ball in left] == [(i, -i) for i in (1, 2, 4, 5)]
+    left[2].position = (4.0, 7.0)
+    assert world.balls.position[:4].tolist() == [[1, -1], [2, -2], [4, 7], [5, -5]]
+    assert balls[3].position == (3.0, -3.0)

@@ -99,12 +99,12 @@ def test_the_kernel_asks_for_the_room_that_it_needs() -> None:
     arrays = prepared(world)
     arrays.states[0]["dt"], arrays.states[0]["steps_left"] = 0.125, 1
     arrays.hits, arrays.starts = arrays.hits[:0].copy(), arrays.starts[:0].copy()
-    status = step_continuous(*arrays.arguments())
+    status = step_continuous(*arrays.block().arguments)
     seen = set()
     while status != DONE:
         seen.add(status)
         arrays.extend(status)
-        status = step_continuous(*arrays.arguments())
+        status = step_continuous(*arrays.block().arguments)
     assert seen == {NEEDS_ROOM, NEEDS_PAIRS}
     assert (arrays.states[0]["stage"], arrays.states[0]["steps_left"]) == (BEGIN, 0)
 

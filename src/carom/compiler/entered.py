@@ -1,0 +1,86 @@
+"""Kernels as Numba compiles them to be called with the address of a `Block`: the arrays are rebuilt inside.
+
+To unbox an array of records costs Numba a tenth of a microsecond, and a step takes more than a dozen of them. Imported
+only where Numba is there. Source: Numba's `carray`, which does the same for one array.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+from numba.np.arrayobj import make_array, populate_array
+
+from carom.compiler.kernels import Kernel
+
+#: The types of the arguments of each kernel that has been entered, by its name.
+_kinds: dict[str, Any] = {}
+
+#: What an entry is compiled for.
+SIGNATURE = (types.int64,)
+
+
+def note_kinds(function: Kernel, kinds: Any) -> None:
+    """Have the entry of a kernel, when it is compiled, rebuild arguments of these types: a tuple type of Numba's."""
+    _kinds[function.__name__] = kinds
+
+
+def entered(function: Kernel) -> Kernel:
+    """The function that calls a kernel with the arrays of the block at an address: see `note_kinds`.
+
+    It has the kernel's own name, by which it is kept on disk and told of.
+    """
+    name = function.__name__
+
+    def enter(address: int) -> Any:
+        return function(*arguments_at(address, name))  # type: ignore[call-arg]
+
+    enter.__name__ = enter.__qualname__ = name
+    return enter
+
+
+@intrinsic(prefer_literal=True)
+def arguments_at(_typing: Any, address: Any, name: Any) -> Any:
+    """The arrays whose places stand in the table at an address, as the kernel of that name takes them."""
+    kinds = _kinds[name.literal_value]
+
+    def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        words = Words(context, builder, arguments[0])
+        return argument_of(context, builder, kinds, words)
+
+    return kinds(address, name), generate
+
+
+class Words:
+    """The words of the table, one after the other, as generated code reads them."""
+
+    def __init__(self, context: Any, builder: Any, address: Any) -> None:
+        self._builder = builder
+        self._table = builder.inttoptr(address, context.get_value_type(types.intp).as_pointer())
+        self._read = 0
+
+    def next(self) -> Any:
+        """The next word."""
+        place = cgutils.gep_inbounds(self._builder, self._table, self._read)  # type: ignore[no-untyped-call]
+        self._read += 1
+        return self._builder.load(place)
+
+
+def argument_of(context: Any, builder: Any, kind: Any, words: Words) -> Any:
+    """The array whose words come next, or the tuple of arrays, by its type."""
+    if hasattr(kind, "types"):
+        parts = [argument_of(context, builder, each, words) for each in kind.types]
+        return context.make_tuple(builder, kind, parts)
+    array = make_array(kind)(context, builder)  # type: ignore[no-untyped-call]
+    data = builder.inttoptr(words.next(), context.get_data_type(kind.dtype).as_pointer())
+    shape = [words.next() for _ in range(kind.ndim)]
+    size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(kind.dtype)))
+    strides = [size]
+    for length in reversed(shape[1:]):
+        strides.insert(0, builder.mul(strides[0], length))
+    populate_array(  # type: ignore[no-untyped-call]
+        array, data=data, shape=shape, strides=strides, itemsize=size, meminfo=None
+    )
+    return array._getvalue()
