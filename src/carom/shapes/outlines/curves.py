@@ -7,12 +7,13 @@ from itertools import pairwise
 from math import ldexp
 from typing import Unpack
 
-from carom.checks import non_negative, pair, refuse
+from carom.checks import non_negative, refuse
 from carom.constants import LEAST_TOLERANCE
 from carom.geometry.vector import unit
 from carom.shapes.outlines.bow import PLACE_ROUNDING, Bow
 from carom.shapes.outlines.cubic import Cubic, cross, dot
 from carom.shapes.outlines.following import follow
+from carom.shapes.outlines.places import places_of
 from carom.shapes.outlines.spline import Curve, cubics_along, slope_by_steps, value_of
 from carom.shapes.outlines.through import through
 from carom.shapes.outlines.track import tracks
@@ -178,12 +179,3 @@ def _heading(name: str, way: Vector) -> complex:
 def followed(cubics: Sequence[Cubic], tolerance: float) -> list[Bow]:
     """Arcs along cubics that continue each other."""
     return [bow for track in tracks(cubics) for bow in follow(track, tolerance)]
-
-
-def places_of(name: str, points: Iterable[Pair]) -> list[Vector]:
-    """Points as pairs of floats; raises where they are none."""
-    try:
-        items = list(points)
-    except TypeError:
-        raise refuse(name, "must be a list of points", points) from None
-    return [pair(f"{name}[{index}]", item) for index, item in enumerate(items)]
