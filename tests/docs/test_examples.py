@@ -31,6 +31,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "newtons_cradle": lambda names, _: np.ptp(names["energy"]) == 0.0 and len(names["run"].hits) > 15,
     "pinball_hits": lambda names, _: len(names["run"].hits) > 100,
     "pool_line": lambda _, printed: "in the pocket" in printed,
+    "rounded_room": lambda names, _: np.allclose(names["speeds"], 9.16**0.5, rtol=1e-12) and len(names["ellipse"]) < 40,
     "sinai_billiard": lambda names, _: names["run"].kinetic_energy()[-1] == pytest.approx(40.0, rel=1e-12),
     "snapshots": lambda names, printed: "the same end: True" in printed and names["apart"].max() > 1.0,
     "stadium_chaos": lambda names, _: names["apart"][0] < 2e-12 and names["apart"].max() > 1.0,
@@ -38,6 +39,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
 }
 #: Those that take longer than five seconds with the compiler off.
 LONG = {"bowl", "layers", "galton_board", "maxwell_gas", "pinball_hits", "pool_line", "sinai_billiard", "snapshots"} | {
+    "rounded_room",
     "stadium_chaos",
     "two_modes",
 }
