@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from carom.compiler.child import compiling
     from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
+    from carom.shapes import outlines
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
     from carom.world.ahead import compile
 
@@ -96,6 +97,7 @@ __all__ = [
     "guard_points",
     "normalize",
     "normalize_angle",
+    "outlines",
     "parallel_component",
     "perp",
     "rotate_point",
@@ -119,8 +121,8 @@ _LAZY = {
     "scenes": "carom.scene",
 }
 
-#: Modules that are imported when used, so that `import carom` is enough.
-_LAZY_MODULES = {"draw", "study"}
+#: Modules that are imported when used, each by its full name, so that `import carom` is enough.
+_LAZY_MODULES = {"draw": "carom.draw", "outlines": "carom.shapes.outlines", "study": "carom.study"}
 
 
 if not TYPE_CHECKING:  # type checkers would take any name where they see this
@@ -129,7 +131,10 @@ if not TYPE_CHECKING:  # type checkers would take any name where they see this
         """A lazy name's value, imported now; called for names that this module does not have."""
         if name not in _LAZY and name not in _LAZY_MODULES:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        value = import_module(f"carom.{name}") if name in _LAZY_MODULES else getattr(import_module(_LAZY[name]), name)
+        if name in _LAZY_MODULES:
+            value = import_module(_LAZY_MODULES[name])
+        else:
+            value = getattr(import_module(_LAZY[name]), name)
         globals()[name] = value
         return value
 

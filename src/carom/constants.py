@@ -38,6 +38,26 @@ GUARD_ROUNDING = 4e-15
 #: the wedge alone, where it turns a ball by no more than the bend does.
 GUARD_ANGLE_TOLERANCE = 1e-9
 
+#: The longest leg of a biarc's control polygon is the chord over this. Smaller, and the joint is lost in rounding where
+#: both ends lead away from each other.
+BIARC_LEAST_DIVISOR = 1e-3
+
+#: Share of an outline's size: a curve that turns about within this radius has a cusp there, a corner
+#: that needs a point. Smaller, and the arc round the tip is lost in the rounding of coordinates.
+TIP_RADIUS = 1e-12
+
+#: The least tolerance that a curve may be followed within: at it some 3000 arcs are enough for a curve that bends
+#: evenly. Smaller, and the rounding of coordinates (1e-16) and of arcs' ends (1e-16 of the radius) shows.
+LEAST_TOLERANCE = 1e-11
+
+#: The largest radius of an arc that follows a curve; one that would be larger becomes a straight piece between two arcs
+#: of a tenth of it. The ends of an arc are off by the rounding of its radius, and a ball whose radius is 1e-5 of the
+#: outline's size or more must not take that for a step (`END_DEPTH_CONTINUOUS`).
+LARGEST_RADIUS = 1e5
+
+#: Radians: an arc that turns by less is a segment. Two of them make a joint no more bent than `GUARD_ANGLE_TOLERANCE`.
+STRAIGHT_TURN = 5e-10
+
 #: Tests of places against shapes that are made at once, and shapes that all places of a box are tested against before
 #: they are divided, when guard points are looked for. Change the speed alone.
 COVER_TESTS = 16384

@@ -1,0 +1,189 @@
+"""Curves as tangent arcs within a tolerance: Béziers, whatever a function draws, and directions through points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from math import ldexp
+from typing import Unpack
+
+from carom.checks import non_negative, pair, refuse
+from carom.constants import LEAST_TOLERANCE
+from carom.geometry.vector import unit
+from carom.shapes.outlines.bow import PLACE_ROUNDING, Bow
+from carom.shapes.outlines.cubic import Cubic, cross, dot
+from carom.shapes.outlines.following import follow
+from carom.shapes.outlines.spline import Curve, cubics_along, slope_by_steps, value_of
+from carom.shapes.outlines.through import through
+from carom.shapes.outlines.track import tracks
+from carom.shapes.outlines.walls import builder, frame_of, tolerance_in, walled
+from carom.shapes.shape import Shape, ShapeOptions
+from carom.typing import Pair, Vector
+
+#: Places at which a curve is looked at first, and the share of the tolerance that cubics along it may use up.
+FIRST_LOOKS, CUBICS_SHARE = 64, 0.04
+
+#: A curve is closed smoothly whose ends are this near to each other, in its size, and its directions, in radians.
+SAME_PLACE, SAME_WAY = 1e-9, 1e-6
+
+
+@builder
+def bezier(
+    points: Iterable[Pair], tolerance: float, guard: bool = True, **options: Unpack[ShapeOptions]
+) -> list[Shape]:
+    """Arcs and segments along a Bézier curve, each within `tolerance` of it, and the points that they need.
+
+    Args:
+        points: Its control points: 3 for a quadratic, 4 for a cubic.
+        tolerance: How far the outline may lie from the curve, and the curve from the outline; a length, at least 1e-11
+            of the curve's size.
+        guard: Whether the points that bare ends need are there too; see `guard_points`.
+        options: What every `Shape` takes; it holds for all of them.
+
+    Returns:
+        The shapes from the first control point to the last, without a bend where they meet but for cusps, and then the
+        points. They are about as few as can be. What is nearly straight becomes a segment.
+
+    Raises:
+        InvalidArgument: There are not 3 or 4 points, or all are one; the tolerance is too small for the curve.
+
+    >>> import carom
+    >>> [shape.kind for shape in carom.outlines.bezier([(0, 0), (1, 2), (2, 0)], 0.01)]
+    ['arc', 'arc', 'arc', 'arc', 'point', 'point']
+    """
+    places = places_of("points", points)
+    if len(places) not in {3, 4} or len(set(places)) < 2:
+        raise refuse("points", "must be 3 or 4 points, not all the same", places)
+    frame = frame_of("points", places)
+    a, *between, d = map(frame.inward, places)
+    if len(between) == 1:
+        between = [(a + 2.0 * between[0]) / 3.0, (d + 2.0 * between[0]) / 3.0]
+    cubic = Cubic(a, between[0], between[1], d)
+    within = tolerance_in(frame, tolerance, cubic.size())
+    return walled(followed([cubic], within), within, frame, guard, options)
+
+
+@builder
+def fit(
+    curve: Curve,
+    tolerance: float,
+    derivative: Curve | None = None,
+    guard: bool = True,
+    **options: Unpack[ShapeOptions],
+) -> list[Shape]:
+    """Arcs and segments along a smooth curve, each within `tolerance` of it, and the points that they need.
+
+    Args:
+        curve: A function of t, from 0 to 1, whose value is a place (x, y): an ellipse, a cam. It is called at some
+            hundreds of places, and has to be smooth between them; it may have cusps, where it stands still.
+        tolerance: How far the outline may lie from the curve; a length, at least 1e-11 of the curve's size.
+        derivative: The derivative of `curve` by t, a function likewise. By default it is taken from differences.
+        guard: Whether the points that bare ends need are there too; see `guard_points`.
+        options: What every `Shape` takes; it holds for all of them.
+
+    Returns:
+        The shapes from curve(0) to curve(1), without a bend where they meet, also there, where both are one place and
+        the curve goes on smoothly; and then the points.
+
+    Raises:
+        InvalidArgument: The curve's value is no place, or has a corner; the tolerance is too small for the curve.
+
+    >>> import carom
+    >>> from math import cos, pi, sin
+    >>> ellipse = carom.outlines.fit(lambda t: (3 * cos(2 * pi * t), 2 * sin(2 * pi * t)), 1e-3)
+    >>> {shape.kind for shape in ellipse}
+    {'arc'}
+    """
+    looks = [value_of("curve", curve, index / FIRST_LOOKS) for index in range(FIRST_LOOKS + 1)]
+    frame = frame_of("curve", looks)
+    places = [frame.inward(look) for look in looks]
+    size = sum(abs(b - a) for a, b in pairwise(places))
+    if size == 0.0:
+        raise refuse("curve", "must not stay in one place", curve)
+    within = tolerance_in(frame, tolerance, size)
+
+    def place(t: float) -> complex:
+        return frame.inward(value_of("curve", curve, t))
+
+    def slope(t: float) -> complex:
+        return slope_by_steps(place, t) if derivative is None else frame.inward(value_of("derivative", derivative, t))
+
+    cubics = cubics_along(place, slope, CUBICS_SHARE * within)
+    arcs = followed(_closed(cubics, size), (1.0 - CUBICS_SHARE) * within)
+    return walled(arcs, within, frame, guard, options)
+
+
+def _closed(cubics: list[Cubic], size: float) -> list[Cubic]:
+    """The cubics, whose last end goes over into their first start without a gap or bend where these are rounding."""
+    first, last = cubics[0], cubics[-1]
+    out, into = first.b - first.a, last.d - last.c
+    if abs(last.d - first.a) > SAME_PLACE * size or dot(out, into) <= 0.0:
+        return cubics
+    if abs(cross(out, into)) > SAME_WAY * abs(out) * abs(into):
+        return cubics
+    return [*cubics[:-1], Cubic(last.a, last.b, first.a - abs(into) / abs(out) * out, first.a)]
+
+
+@builder
+def biarcs(
+    points: Iterable[Pair],
+    tangents: Iterable[Pair],
+    tolerance: float = 0.0,
+    guard: bool = True,
+    **options: Unpack[ShapeOptions],
+) -> list[Shape]:
+    """Arcs and segments through points in given directions, two from one to the next, and the points that they need.
+
+    Args:
+        points: Two places or more, each apart from the one before it. The last may be the first again.
+        tangents: For each of them the direction of travel, a vector of any length but 0.
+        tolerance: A length: points that the outline passes at no more than this are left out, so that a finely drawn
+            curve becomes few arcs. 0 leaves out none that rounding does not.
+        guard: Whether the points that bare ends need are there too; see `guard_points`.
+        options: What every `Shape` takes; it holds for all of them.
+
+    Returns:
+        The shapes from the first point to the last, without a bend where they meet, and then the points.
+
+    Raises:
+        InvalidArgument: There are too few points, not as many tangents as points, two points in a row in one place, or
+            a tangent of no length.
+
+    >>> import carom
+    >>> carom.outlines.biarcs([(0, 0), (2, 0)], [(0, 1), (0, -1)], guard=False)
+    [Arc((1.0, 0.0), 1.0, 0.0, 3.141592653589793)]
+    """
+    places, ways = places_of("points", points), places_of("tangents", tangents)
+    frame = frame_of("points", places or [(0.0, 0.0)])
+    spots = [frame.inward(place) for place in places]
+    if len(places) < 2 or len(places) != len(ways):
+        raise refuse("tangents", f"must be as many as the points, which are 2 or more, not {len(places)}", len(ways))
+    for index, (before, after) in enumerate(pairwise(spots)):
+        if before == after:
+            raise refuse(f"points[{index + 1}]", "must differ from the one before it", places[index + 1])
+    headings = [_heading(f"tangents[{index}]", way) for index, way in enumerate(ways)]
+    within = ldexp(min(non_negative("tolerance", tolerance), frame.length(2.0)), -frame.power)
+    arcs = through(spots, headings, max(within, PLACE_ROUNDING))
+    return walled(arcs, max(within, LEAST_TOLERANCE), frame, guard, options)
+
+
+def _heading(name: str, way: Vector) -> complex:
+    """The unit vector along a direction; raises where it has no length."""
+    found = unit(*way)
+    if found is None:
+        raise refuse(name, "must have a length", way)
+    return complex(*found)
+
+
+def followed(cubics: Sequence[Cubic], tolerance: float) -> list[Bow]:
+    """Arcs along cubics that continue each other."""
+    return [bow for track in tracks(cubics) for bow in follow(track, tolerance)]
+
+
+def places_of(name: str, points: Iterable[Pair]) -> list[Vector]:
+    """Points as pairs of floats; raises where they are none."""
+    try:
+        items = list(points)
+    except TypeError:
+        raise refuse(name, "must be a list of points", points) from None
+    return [pair(f"{name}[{index}]", item) for index, item in enumerate(items)]
