@@ -28,6 +28,10 @@ class SceneError(CaromError, ValueError):
     """A scene was refused; the message lists every fault with its path."""
 
 
+class DrawingWarning(UserWarning):
+    """A drawing holds what no scene has, such as text and images: it was left out, and the message says what it was."""
+
+
 class SnapshotError(CaromError, ValueError):
     """A snapshot was damaged, cut, or not made by this library."""
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any, NoReturn
 import typer
 from typer.core import TyperGroup
 
-from carom.cli import commands, files, games
+from carom.cli import commands, files, games, watching
 from carom.cli.mistakes import Mistake, meant, no_such
 from carom.cli.quantities import non_negative, number, positive
 from carom.cli.view import View
@@ -37,7 +37,7 @@ app = typer.Typer(
     # options' own words, for some versions of typer write them as for a box even so.
     rich_markup_mode=None,
     help="Exact, fast 2D collisions: run a scene, look at it, check it, play.",
-    epilog="SCENE is a scene file (.toml, .json) or the name of a shipped scene. "
+    epilog="SCENE is a scene file (.toml, .json), a drawing (.svg, .dxf), or the name of a shipped scene. "
     "Exit status: 0 done, 1 a failure of the program or the machine, 2 a mistake in what was asked, "
     "130 interrupted by Ctrl-C.",
     invoke_without_command=True,
@@ -141,17 +141,24 @@ def run(
             "Can be given several times.",
         ),
     ] = None,
+    watch: Annotated[
+        bool, typer.Option("--watch", help="Go on, and make all anew whenever the file is saved; Ctrl-C ends it.")
+    ] = False,
     theme: Theme = ThemeName.AUTO.value,
     layers: Layers = None,
     size: Size = None,
 ) -> None:
     """Run a scene, show progress, and print what happened.
 
-    SCENE is a scene file, or the name of a shipped scene. Ctrl-C stops the run; what was asked for is still written,
-    unless Ctrl-C comes again.
+    SCENE is a scene file, a drawing, or the name of a shipped scene. Ctrl-C stops the run; what was asked for is still
+    written, unless Ctrl-C comes again.
     """
     view = View.of(theme, layers, size)
-    commands.run(scene, non_negative("--seconds", seconds), positive("--dt", dt), out or [], view)
+    span, step = non_negative("--seconds", seconds), positive("--dt", dt)
+    if watch:
+        watching.watch(scene, lambda: commands.run(scene, span, step, out or [], view))
+    else:
+        commands.run(scene, span, step, out or [], view)
 
 
 @app.command()
@@ -174,7 +181,7 @@ def show(
 ) -> None:
     """Make a picture of a scene as it stands, or of a recorded run.
 
-    SCENE is a scene file, a recording, or the name of a shipped scene.
+    SCENE is a scene file, a drawing, a recording, or the name of a shipped scene.
     """
     view = View.of(theme, layers, size)
     commands.show(scene, out, view, None if at is None else number("--at", at))
@@ -184,9 +191,29 @@ def show(
 def check(scene: SceneName) -> None:
     """Say whether a scene file is good, and all that is wrong with it.
 
-    SCENE is a scene file, a recording, or the name of a shipped scene.
+    SCENE is a scene file, a drawing, a recording, or the name of a shipped scene.
     """
     commands.check(scene)
+
+
+@app.command()
+def convert(
+    drawing: Annotated[Path, typer.Argument(metavar="DRAWING", hidden=True)],
+    file: Annotated[Path, typer.Argument(metavar="FILE", hidden=True)],
+    tolerance: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="How far arcs may be from the curves that they stand for. By default a thousandth of the drawing.",
+        ),
+    ] = None,
+) -> None:
+    """Write what a drawing shows as a scene file that can be read and edited.
+
+    DRAWING is an .svg or .dxf file, FILE a .toml or .json one. Bodies have the names that they have in the drawing, and
+    numbers are rounded to the tolerance.
+    """
+    commands.convert(drawing, file, None if tolerance is None else positive("--tolerance", tolerance))
 
 
 @app.command()

@@ -14,11 +14,13 @@ import carom
 from carom import draw
 from carom.cli import files, outputs, report, running
 from carom.cli.mistakes import Mistake
-from carom.cli.sources import Source, find, shipped
+from carom.cli.sources import Source, find, shipped, warnings_told
 from carom.cli.tally import shares_of
 from carom.limits import LARGEST_RECORDING
 from carom.record import Recorder
 from carom.scene import Scene
+from carom.scene.drawings.converting import converted
+from carom.scene.drawings.reading import ENDINGS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,8 +54,8 @@ def compile_ahead() -> None:
         typer.echo(f"everything is there: {report.counted(len(done.kept), 'kernel')} in {done.folder}")
 
 
-def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> None:
-    """Run a scene, print what happened, write the files."""
+def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> bool:
+    """Run a scene, print what happened, write the files; whether the run came to its end."""
     source = find(scene)
     if source.recording is not None:
         raise Mistake(f"{scene}: is the recording of a run; carom show makes pictures of it")
@@ -79,6 +81,18 @@ def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View
         )
     Console().print(report.summary(source.name, world, outcome, dt))
     files.write_all(paths, files.writers_of_run(source, world, outcome, view))
+    return not outcome.stopped
+
+
+def convert(drawing: Path, path: Path, tolerance: float | None) -> None:
+    """Write what a drawing shows as a scene file that a person can read."""
+    if drawing.suffix.lower() not in ENDINGS:
+        raise Mistake(f"{drawing}: its ending must be one of {', '.join(ENDINGS)}")
+    outputs.check_outputs([path], files.SCENES, drawing)
+    with warnings_told():
+        scene = converted(drawing, tolerance)
+    files.write_all([path], dict.fromkeys(files.SCENES, scene.save))
+    typer.echo(f"{report.counted(len(scene.shapes), 'shape')}, {report.counted(len(scene.balls), 'ball')}")
 
 
 def check_room(frames: int, balls: int, shapes: int) -> None:
@@ -111,8 +125,9 @@ def show(scene: str, out: Path | None, view: View, at: float | None) -> None:
         raise Mistake(f"--at {at:g}: is for pictures; {path} shows the whole run")
     files.check_extras({ending})
     if recording is None:
-        world = source.scene().build()
-        files.write_all([path], files.writers_of_picture(lambda: still(source, world, view), view))
+        kept = source.scene()
+        world = kept.build()
+        files.write_all([path], files.writers_of_picture(lambda: still(source, world, view), view, kept))
         return
     first, last = float(recording.times[0]), float(recording.times[-1])
     if at is not None and not first <= at <= last:

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 SVG, PNG, GIF, MP4, PAGE, RUN, STATE = ".svg", ".png", ".gif", ".mp4", ".html", ".carom", ".toml"
 HITS = (CSV, PARQUET) = (".csv", ".parquet")
 STILLS, FILMS = (SVG, PNG), (GIF, MP4)
+#: The forms of scene files.
+SCENES = (STATE, ".json")
 #: What `run` can write, and what `show` can of a scene and of a recording.
 OF_RUN = (*STILLS, *FILMS, PAGE, RUN, *HITS, STATE)
 OF_SCENE = STILLS
@@ -83,11 +85,11 @@ def writers_of_run(source: Source, world: World, outcome: Outcome, view: View) -
     return {CSV: hits, PARQUET: hits_table, STATE: state, **recorded, **writers_of_picture(picture, view)}
 
 
-def writers_of_picture(picture: Callable[[], Picture], view: View) -> Writers:
-    """How the files of a picture are written, which is made when it is needed."""
+def writers_of_picture(picture: Callable[[], Picture], view: View, scene: Scene | None = None) -> Writers:
+    """How the files of a picture are written, which is made when it is needed; SVG keeps the `scene` that it shows."""
 
     def vectors(path: Path) -> None:
-        path.write_text(draw.svg(picture(), view.theme), encoding="utf-8", newline="\n")
+        path.write_text(draw.svg(picture(), view.theme, scene), encoding="utf-8", newline="\n")
 
     def pixels(path: Path) -> None:
         path.write_bytes(draw.png(picture(), view.theme))

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import inspect
 import sys
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+import typer
+
 from carom.cli.mistakes import Mistake, meant
+from carom.errors import DrawingWarning
 from carom.record import Recording
 from carom.scene import Scene, scenes
+from carom.scene.drawings.reading import is_drawing
 
 #: The ending of recordings.
 RECORDED = ".carom"
@@ -34,7 +40,23 @@ class Source:
     @property
     def picture(self) -> Path:
         """The file for a picture of the scene where none is named: in the current folder."""
-        return Path(f"{self.name if self.path is None else self.path.stem}.svg")
+        if self.path is None:
+            return Path(f"{self.name}.svg")
+        # The picture of a drawing must not take its place.
+        return Path(f"{self.path.stem}{'-picture' if is_drawing(self.path) else ''}.svg")
+
+
+@contextmanager
+def warnings_told() -> Iterator[None]:
+    """A while in which what is left out of drawings is said on stderr, in a line each."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DrawingWarning)
+        yield
+    for warning in caught:
+        if issubclass(warning.category, DrawingWarning):
+            typer.echo(f"carom: {warning.message}", err=True)
+        else:
+            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
 
 
 def shipped() -> tuple[Source, ...]:
@@ -65,7 +87,8 @@ def find(text: str) -> Source:
         recording = Recording.load(path)
         return Source(recording.name or path.stem, recording.about, path, lambda: recording.scene, recording)
     if is_file:
-        scene = Scene.load(path)
+        with warnings_told():
+            scene = Scene.load(path)
         return Source(scene.name or path.stem, "", path, lambda: scene)
     if is_folder:
         raise Mistake(f"{text}: is a folder, not a scene file")

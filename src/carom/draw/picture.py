@@ -33,6 +33,7 @@ from carom.draw.parts.scenery import (
 )
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.record.members import names_in, parts
+from carom.scene.drawings.keeping import with_scene
 from carom.shapes.aabb import Aabb
 from carom.spelling import spelled
 
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
     from carom.draw.paint.painter import Painter, Vector
     from carom.draw.parts.cells import Cell
     from carom.draw.parts.frame import Size
+    from carom.scene import Scene
     from carom.shapes.compound import Compound
     from carom.shapes.shape import Shape
     from carom.world.world import World
@@ -284,11 +286,15 @@ def samples_of(balls: Balls, inks: Mapping[int, str]) -> tuple[str, ...]:
 
 
 @spelled
-def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO) -> str:
-    """The text of an SVG file that shows `picture`."""
+def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO, scene: Scene | None = None) -> str:
+    """The text of an SVG file that shows `picture`.
+
+    With the `scene` that the picture shows it is kept in the file, which `Scene.load` then reads back as that scene.
+    """
     painter = SvgPainter(picture.frame, theme, title=picture.panel.name)
     picture.draw(painter)
-    return painter.finish()
+    text = painter.finish()
+    return text if scene is None else with_scene(text, scene.plain())
 
 
 def looks_of(shapes: Iterable[Shape | Compound]) -> tuple[tuple[Shape, Look], ...]:

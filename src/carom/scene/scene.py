@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 from pydantic import BaseModel, ValidationError
@@ -14,6 +16,7 @@ from carom.scene.balls import add_balls, described_balls
 from carom.scene.capture import described_world
 from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import WorldDescriptor
+from carom.scene.drawings.reading import ENDINGS, is_drawing, read_drawing
 from carom.scene.faults import Faults, is_unknown
 from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
@@ -50,8 +53,11 @@ class Scene(Descriptor, Pictured):
     def __init__(self, /, **fields: Any) -> None:
         self._fill({"version": VERSION} | fields)
 
-    def _fill(self, table: Plain) -> None:
-        """Set the fields to what `table` holds, or raise `SceneError` with all that is wrong in it."""
+    def _fill(self, table: Plain, checked: Mapping[str, tuple[Any, ...]] = MappingProxyType({})) -> None:
+        """Set the fields to what `table` holds, or raise `SceneError` with all that is wrong in it.
+
+        Lists of descriptors that are known to be good are given apart, as `checked`.
+        """
         wrong = crowd(table)
         if wrong:
             raise SceneError(wrong)
@@ -71,16 +77,28 @@ class Scene(Descriptor, Pictured):
         if faults.count:
             raise faults.error()
         # They are checked, and checking them once more would build all shapes again.
-        self.__dict__.update(lists)
-        self.__pydantic_fields_set__.update(lists)
+        self.__dict__.update(lists | dict(checked))
+        self.__pydantic_fields_set__.update(lists, checked)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Self:
-        """The scene in a `.toml` or `.json` file. Raises `SceneError` with the file's name and every fault in it."""
-        table = read_plain(path)
+    def load(cls, path: str | os.PathLike[str], tolerance: float | None = None) -> Self:
+        """The scene in a `.toml` or `.json` file, or that a drawing shows, an `.svg` or `.dxf` file.
+
+        Of a drawing, ellipses, Bézier curves and splines become tangent arcs no farther off than `tolerance`, by
+        default a thousandth of the drawing's size; ends nearer than it are joined. What is no part of a scene, such as
+        text, is left out with a `DrawingWarning`. Raises `SceneError` with the file's name and every fault in it.
+        """
+        drawn = is_drawing(path)
+        if tolerance is not None and not drawn:
+            raise refuse("tolerance", f"is for drawings, {' and '.join(ENDINGS)}", tolerance)
+        table = {} if drawn else read_plain(path)
         scene = cls.__new__(cls)
         try:
-            scene._fill(table)
+            if drawn:
+                read = read_drawing(path, tolerance)
+                scene._fill({"version": VERSION, **read.table}, read.lists)
+            else:
+                scene._fill(table)
         except SceneError as error:
             raise SceneError(f"{os.fspath(path)}: {error}") from None
         return scene

@@ -15,6 +15,7 @@ import carom
 from carom.cli.hits_file import COLUMNS
 from carom.compiler import door
 from carom.compiler.cache import cache_folder
+from tests.drawings import svg
 from tests.unit.cli.saying import carom_says
 
 GOOD = """version = 1
@@ -342,3 +343,71 @@ def test_compile_fails_where_nothing_can_be_compiled(
     monkeypatch.setenv("CAROM_COMPILE", "off")
     status, out, err = carom_says(capsys, "compile")
     assert (status, out, err) == (1, "", "carom: nothing is compiled: CAROM_COMPILE is 'off'\n")
+
+
+TABLE = svg(
+    '<rect id="frame" width="90" height="90"/><ellipse id="egg" cx="30" cy="30" rx="20" ry="10"/>'
+    '<circle id="ball" cx="60" cy="60" r="5" data-carom-ball="" data-carom-velocity="30 40"/>'
+)
+
+
+def test_a_drawing_is_checked_run_and_shown(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "table.svg").write_text(TABLE)
+    status, out, _ = carom_says(capsys, "check", "table.svg")
+    assert (status, out.startswith("table: good: ")) == (0, True)
+    status, out, _ = carom_says(capsys, "run", "table.svg", "--seconds", "1")
+    assert (status, "frame" in out) == (0, True)
+    assert carom_says(capsys, "show", "table.svg")[0] == 0
+    assert carom.Scene.load("table-picture.svg") == carom.Scene.load("table.svg")
+    assert (here / "table.svg").read_text() == TABLE
+
+
+def test_a_drawing_is_converted_to_a_scene_file(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "table.svg").write_text(TABLE)
+    status, out, _ = carom_says(capsys, "convert", "table.svg", "table.toml", "--tolerance", "0.01")
+    assert (status, "wrote table.toml" in out, "1 ball" in out) == (0, True, True)
+    assert 'name = "egg"' in (here / "table.toml").read_text()
+    fine, coarse = carom.Scene.load("table.toml"), carom.Scene.load("table.svg")
+    assert len(fine.shapes) > len(coarse.shapes)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["good.toml", "a.toml"], "good.toml: its ending must be one of .svg, .dxf"),
+        (["table.svg", "a.svg"], "a.svg: its ending must be one of .toml, .json"),
+        (["none.svg", "a.toml"], "none.svg: cannot be read: No such file"),
+        (["table.svg", "a.toml", "--tolerance", "0"], "--tolerance"),
+        (["bad.svg", "a.toml"], "bad.svg: <line> (line 2): data-carom-kik: is unknown; did you mean kick?"),
+    ],
+)
+def test_what_cannot_be_converted_is_said(
+    here: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], said: str
+) -> None:
+    (here / "table.svg").write_text(TABLE)
+    (here / "bad.svg").write_text(svg('<line x2="9" data-carom-kik="1"/>'))
+    status, _, err = carom_says(capsys, "convert", *arguments)
+    assert (status, said in err) == (2, True)
+    assert not (here / "a.toml").exists()
+
+
+def test_a_watched_drawing_is_run_anew_when_it_is_saved(
+    here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = here / "table.svg"
+    path.write_text(TABLE)
+    saves = iter([TABLE.replace('"30 40"', '"30 400"'), "<svg", None, TABLE])
+
+    def save(_: float) -> None:
+        text = next(saves, "end")
+        if text == "end":
+            raise KeyboardInterrupt
+        if text is not None:
+            path.write_text(text)
+
+    monkeypatch.setattr("carom.cli.watching.sleep", save)
+    status, out, err = carom_says(capsys, "run", "table.svg", "--seconds", "0.1", "--watch", "--out", "a.csv")
+    assert status == 0
+    assert out.count("0.1 s simulated") == out.count("wrote a.csv") == 3
+    assert "table.svg: line 1: is not well-formed XML" in err
+    assert err.count("watching table.svg; Ctrl-C ends it") == 4

@@ -7,6 +7,7 @@ import pytest
 import carom
 from carom.cli.mistakes import Mistake
 from carom.cli.sources import find, shipped
+from tests.drawings import svg
 from tests.worlds import quiet
 
 
@@ -43,6 +44,14 @@ def test_a_file_is_called_what_its_scene_is_called_or_as_it_is(here: Path, name:
     assert (source.name, source.title, source.about) == (told, told, "")
     assert (source.path, source.picture) == (Path("folder/table.toml"), Path("table.svg"))
     assert source.scene() == scene
+
+
+def test_a_drawing_is_found_and_says_once_what_was_left_out(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "table.svg").write_text(svg('<line x2="9"/><text>a</text>'))
+    source = find("table.svg")
+    assert (source.name, source.picture) == ("table", Path("table-picture.svg"))
+    assert [shape.kind for shape in source.scene().shapes] == ["segment"]
+    assert capsys.readouterr().err == "carom: table.svg: not understood, and left out: text (1)\n"
 
 
 @pytest.mark.parametrize("name", ["run.carom", "run.CAROM"])

@@ -1,0 +1,172 @@
+"""A drawing as the table of a scene: read, joined, fitted and named."""
+
+from __future__ import annotations
+
+import gc
+import os
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn
+
+from pydantic import ValidationError
+
+from carom.checks import positive
+from carom.errors import DrawingWarning, SceneError
+from carom.extras import needed
+from carom.limits import LONGEST_FILE
+from carom.scene.descriptors import WorldDescriptor
+from carom.scene.drawings.bodies import Body, Drawing
+from carom.scene.drawings.joints import joined, size_of, smoothed
+from carom.scene.drawings.limits import FARTHEST
+from carom.scene.drawings.pieces import Piece, is_bare
+from carom.scene.drawings.shaping import Shaper
+from carom.scene.faults import Faults
+
+#: The endings of drawings.
+ENDINGS = (".svg", ".dxf")
+#: The share of a drawing's size by which a curve may be off, unless it is said.
+TOLERANCE = 1e-3
+#: The share of the tolerance within which a piece is no more than a place, and no piece.
+BARE = 1e-6
+
+
+class Reading(NamedTuple):
+    """What a drawing says: the table of its scene, apart from it the checked shapes and balls, and the tolerance."""
+
+    table: dict[str, Any]
+    lists: dict[str, tuple[Any, ...]]
+    tolerance: float
+
+
+def is_drawing(path: Any) -> bool:
+    """Whether a path is that of a drawing, by its ending."""
+    return isinstance(path, (str, os.PathLike)) and Path(path).suffix.lower() in ENDINGS
+
+
+def read_drawing(path: str | os.PathLike[str], tolerance: float | None = None) -> Reading:
+    """The scene that a drawing shows.
+
+    What in it was not understood is told once, by a `DrawingWarning`. Raises `SceneError` with all that is wrong in it,
+    each with the element and the line that it is in.
+    """
+    with _without_collector():
+        return _read(path, tolerance)
+
+
+def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
+    """The scene that a drawing shows."""
+    faults = Faults(WorldDescriptor)
+    drawing = Drawing(faults)
+    kept = _read_into(drawing, path)
+    if kept is not None:
+        return Reading(kept, {}, 0.0)
+    bodies = [part for body in drawing.bodies for part in (body.parts if body.parts is not None else [body])]
+    size = size_of([outline for body in bodies for outline in body.outlines])
+    if not size <= FARTHEST:
+        _refuse_far(bodies, faults)
+    scene: dict[str, Any] = {
+        key: drawing.world.pop(key) for key in ("name", "guard", "tolerance") if key in drawing.world
+    }
+    said = scene.pop("tolerance", TOLERANCE * size)
+    used = said if tolerance is None else positive("tolerance", tolerance)
+    if size > 0.0 and used <= 0.0:
+        faults.add_words(str(drawing.where), f"data-carom-tolerance: must be positive, not {used}")
+        used = TOLERANCE * size
+    _join([body for body in drawing.bodies if body.parts is None], used)
+    for body in drawing.bodies:
+        if body.parts:
+            _join(body.parts, used)
+    shaper = Shaper(faults, used)
+    for body in drawing.bodies:
+        shaper.add(body)
+    world = _world(drawing)
+    if faults.count:
+        raise faults.error()
+    if drawing.left_out:
+        _tell(path, drawing)
+    lists = {"shapes": tuple(shaper.shapes), "balls": tuple(shaper.balls)}
+    return Reading({"guard": True, **scene, "world": world}, lists, used)
+
+
+def _read_into(drawing: Drawing, path: str | os.PathLike[str]) -> dict[str, Any] | None:
+    """Take in a file, once the package that it needs is there; the table of the scene that is kept in it, if one is."""
+    if Path(path).suffix.lower() == ".dxf":
+        needed("ezdxf", "ezdxf", "drawings", "DXF drawings")
+        from carom.scene.drawings.dxf import DxfReader
+
+        DxfReader(data_of(path), drawing).read()
+        return None
+    needed("svgelements", "svgelements", "drawings", "SVG drawings")
+    from carom.scene.drawings.svg import SvgReader
+
+    reader = SvgReader(data_of(path), drawing)
+    kept = reader.kept_scene()
+    if kept is None:
+        reader.read()
+    return kept
+
+
+def _refuse_far(bodies: list[Body], faults: Faults) -> NoReturn:
+    """Raise for the bodies that are too large for a scene."""
+    for body in bodies:
+        if not size_of(body.outlines) <= FARTHEST:
+            faults.add_words(str(body.where), f"is too large: a drawing may be at most {FARTHEST:g} wide and high")
+    faults.add_words("the drawing", f"is too large: it may be at most {FARTHEST:g} wide and high")
+    raise faults.error()
+
+
+def _tell(path: str | os.PathLike[str], drawing: Drawing) -> None:
+    """Warn of what was left out, all of it in one line, the most frequent first."""
+    kinds = ", ".join(f"{word} ({count})" for word, count in drawing.left_out.most_common())
+    warnings.warn(f"{os.fspath(path)}: not understood, and left out: {kinds}", DrawingWarning, stacklevel=5)
+
+
+def data_of(path: str | os.PathLike[str]) -> bytes:
+    """The bytes of a file; raises `SceneError`."""
+    try:
+        with Path(path).open("rb") as file:
+            data = file.read(LONGEST_FILE + 1)
+    except OSError as error:
+        raise SceneError(f"cannot be read: {error.strerror}") from None
+    if len(data) > LONGEST_FILE:
+        raise SceneError(f"is longer than {LONGEST_FILE} bytes")
+    return data
+
+
+def _join(bodies: list[Body], tolerance: float) -> None:
+    """Bring the ends of bodies together that belong together, and make what is nearly smooth smooth."""
+    rows: list[tuple[Body, list[Piece]]] = []
+    for body in bodies:
+        rows += [
+            (body, [piece for piece in outline if not is_bare(piece, BARE * tolerance)]) for outline in body.outlines
+        ]
+        body.outlines = []
+    outlines = smoothed(joined([outline for _, outline in rows], tolerance), tolerance)
+    for (body, _), outline in zip(rows, outlines, strict=True):
+        body.outlines.append(outline)
+
+
+def _world(drawing: Drawing) -> WorldDescriptor:
+    """The settings of the world; a fault is told by the name of its attribute."""
+    try:
+        return WorldDescriptor(**drawing.world)
+    except ValidationError as error:
+        found = Faults(WorldDescriptor)
+        found.add(error)
+        for words in found.first:
+            drawing.faults.add_words(str(drawing.where), f"data-carom-{words}")
+        return WorldDescriptor()
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    """A while without the search for garbage: a drawing is read as a million objects, none of which is any."""
+    was = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()

@@ -1,0 +1,248 @@
+"""SVG drawings as bodies: the tree is walked once, with all that groups hand down to what is in them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from carom.errors import SceneError
+from carom.scene.drawings import keywords
+from carom.scene.drawings.bodies import Body, Drawing
+from carom.scene.drawings.keeping import kept_in
+from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS, MOST_MARKS
+from carom.scene.drawings.outlines import DRAWS, length, outlines_of
+from carom.scene.drawings.pieces import Matrix, Vector
+from carom.scene.drawings.sheets import Sheet, is_painted
+from carom.scene.drawings.transforms import transform
+from carom.scene.drawings.tree import MARK, XLINK, Element, read_tree
+from carom.scene.drawings.view_boxes import fitting, page_of
+from carom.scene.drawings.words import Said, is_pivot, said_by, world_of
+
+#: What holds other elements and draws them.
+GROUPS = frozenset({"a", "g", "svg", "switch", "use"})
+#: What draws nothing by itself, and is no loss.
+SILENT = frozenset(
+    {"clipPath", "color-profile", "cursor", "defs", "desc", "filter", "font", "linearGradient", "marker", "mask"}
+    | {"metadata", "pattern", "radialGradient", "script", "style", "symbol", "title", "view"}
+)
+#: What changes how an element is seen, and is passed over: the attribute, and the word for it.
+UNHEARD = {
+    "clip-path": "clipping",
+    "mask": "mask",
+    "filter": "filter",
+    "marker-start": "marker",
+    "marker-mid": "marker",
+    "marker-end": "marker",
+}
+#: The word for an element that is not understood, where that is not its name.
+WORDS = {"tspan": "text", "flowRoot": "text", "textPath": "text"}
+
+
+@dataclass(frozen=True, slots=True)
+class Below:
+    """What a group hands down to what is in it, and where the bodies in it go."""
+
+    matrix: Matrix
+    viewport: Vector
+    bodies: list[Body]
+    properties: dict[str, str] = field(default_factory=dict)
+    options: dict[str, Any] = field(default_factory=dict)
+    written: dict[str, str] = field(default_factory=dict)
+    name: str | None = None
+    compound: Body | None = None
+
+
+class SvgReader:
+    """Reads one drawing into `drawing`."""
+
+    def __init__(self, data: bytes, drawing: Drawing) -> None:
+        self._drawing = drawing
+        self._root = read_tree(data)
+        if self._root.tag != "svg":
+            raise SceneError(f"{self._root}: must be an svg element")
+        named = [element for element in self._root.walk() if "id" in element.attributes]
+        self._by_id = {element.attributes["id"]: element for element in reversed(named)}
+        self._sizes: dict[int, int] = {}
+        self._check_size(self._root, 0)
+        self._marks = 0
+        self._sheet = Sheet(self._root)
+
+    def kept_scene(self) -> dict[str, Any] | None:
+        """The table of the scene that the drawing is a picture of, None where it is none of carom's."""
+        return kept_in(self._root)
+
+    def read(self) -> None:
+        """Take in all that is in the drawing."""
+        root = self._root
+        self._drawing.world, wrong = world_of(root)
+        self._drawing.where = root
+        for words in wrong:
+            self._drawing.faults.add_words(str(root), words)
+        try:
+            page = page_of(root)
+            inner, size = page.contents(root)
+        except ValueError as error:
+            raise SceneError(f"{root}: width, height, viewBox: {error}") from None
+        up = Matrix(1.0, 0.0, 0.0, -1.0, 0.0, page.height or 0.0)
+        below = Below(up.after(inner), size, self._drawing.bodies)
+        below = replace(below, properties=self._sheet.properties_of(root))
+        for child in root.children:
+            self._visit(child, below)
+
+    # -- before anything is drawn ----------------------------------------------------------------------------------
+
+    def _check_size(self, element: Element, depth: int) -> int:
+        """How many elements are drawn for one, by reference too; raises where there is no end to them."""
+        key = id(element)
+        if key in self._sizes:
+            if self._sizes[key] == 0:
+                raise SceneError(f"{element}: is drawn again by what is in it, without end")
+            return self._sizes[key]
+        if depth > 2 * DEEPEST:
+            raise SceneError(f"{element}: nested too deeply by reference: more than {DEEPEST} levels")
+        self._sizes[key] = 0
+        size = 1 + sum(self._check_size(child, depth + 1) for child in element.children)
+        target = self._target_of(element)
+        if target is not None:
+            size += self._check_size(target, depth + 1)
+        if size > MOST_ELEMENTS:
+            raise SceneError(f"{element}: draws more than {MOST_ELEMENTS} elements, by reference")
+        self._sizes[key] = size
+        return size
+
+    def _target_of(self, element: Element) -> Element | None:
+        """What a `use` refers to, in this file; None for what refers to nothing that is in it."""
+        if element.tag != "use":
+            return None
+        link = element.attributes.get("href", element.attributes.get(f"{XLINK}{MARK}href", "")).strip()
+        return self._by_id.get(link[1:]) if link.startswith("#") else None
+
+    # -- the walk --------------------------------------------------------------------------------------------------
+
+    def _visit(self, element: Element, below: Below) -> None:
+        """Take in an element and what is in it; where something is wrong with it that is noted, and it left out."""
+        if MARK in element.tag or element.tag in SILENT:
+            return
+        properties = {**below.properties, **self._sheet.properties_of(element)}
+        if properties.pop("display", "") == "none":
+            return
+        if element.tag not in GROUPS and element.tag not in DRAWS:
+            self._drawing.left_out[WORDS.get(element.tag, element.tag)] += 1
+            return
+        self._note_unheard(element)
+        try:
+            said = said_by(element)
+            state = Below(
+                below.matrix.after(_transform_of(element)) if "transform" in element.attributes else below.matrix,
+                below.viewport,
+                below.bodies,
+                properties,
+                {**below.options, **said.handed_down()} if said.options else below.options,
+                {**below.written, **{key: f"{place} of {element}" for key, place in said.written.items()}}
+                if said.written
+                else below.written,
+                said.name or below.name,
+                below.compound,
+            )
+            if element.tag in GROUPS:
+                self._enter(element, state, said)
+            elif properties.get("visibility", "visible") == "visible" and not is_pivot(element):
+                self._draw(element, state, said)
+        except ValueError as error:
+            self._drawing.faults.add_words(str(element), str(error))
+
+    def _enter(self, element: Element, state: Below, said: Said) -> None:
+        """Take in what is in a group, or what is referred to."""
+        children = element.children
+        if element.tag == "use":
+            target = self._target_of(element)
+            if target is None:
+                self._drawing.left_out["reference to what is not in the drawing"] += 1
+                return
+            state = _placed(element, target, state)
+            children = target.children if target.tag == "symbol" else [target]
+        elif element.tag == "svg":
+            state = _placed(element, element, state)
+        marks = [child for child in children if is_pivot(child)]
+        pivot = said.options.get("pivot")
+        if marks and pivot is None:
+            pivot = _center_of(marks[0], state.viewport)
+        if pivot is not None:
+            state = self._compound(element, state, said, pivot)
+        for child in children:
+            self._visit(child, state)
+
+    def _compound(self, element: Element, state: Below, said: Said, pivot: Vector) -> Below:
+        """The state within a group with a pivot, whose bodies are parts of one."""
+        if state.compound is not None:
+            raise ValueError(f"{said.written.get('pivot', 'pivot')}: {state.compound.where} has one, and this is in it")
+        moving = {key: value for key, value in state.options.items() if key in keywords.MOVING}
+        parts: list[Body] = []
+        moving["pivot"] = state.matrix.place(pivot)
+        body = Body(element, state.name, moving, {**state.written, **said.written}, parts=parts)
+        state.bodies.append(body)
+        surface = {key: value for key, value in state.options.items() if key not in keywords.MOVING}
+        return replace(state, bodies=parts, options=surface, compound=body)
+
+    def _draw(self, element: Element, state: Below, said: Said) -> None:
+        """Add the body of an element that draws an outline."""
+        text = element.attributes.get("d", "") or element.attributes.get("points", "")
+        self._marks += len(text.encode().translate(None, b"0123456789"))
+        if self._marks > MOST_MARKS:
+            raise SceneError(f"{element}: the outlines of the drawing have too many points, all taken together")
+        filled = is_painted(state.properties.get("fill", "black"))
+        if not filled and not is_painted(state.properties.get("stroke", "none")) and not said.options:
+            return
+        if state.properties.get("fill", "").startswith("url("):
+            self._drawing.left_out["gradient or pattern"] += 1
+        outlines = [
+            [piece.moved(state.matrix) for piece in outline] for outline in outlines_of(element, state.viewport)
+        ]
+        options = {**state.options, **said.options}
+        if "pivot" in options:
+            options["pivot"] = state.matrix.place(options["pivot"])
+        written, own = {**state.written, **said.written}, frozenset(said.options)
+        state.bodies.append(Body(element, state.name, options, written, own, outlines, filled))
+
+    def _note_unheard(self, element: Element) -> None:
+        """Count what an element has that is passed over."""
+        attributes = element.attributes
+        style = attributes.get("style", "")
+        if "url(" not in style and UNHEARD.keys().isdisjoint(attributes):
+            return
+        for attribute, word in UNHEARD.items():
+            if attributes.get(attribute, "").startswith("url(") or f"{attribute}:url(" in style:
+                self._drawing.left_out[word] += 1
+
+
+def _transform_of(element: Element) -> Matrix:
+    """The transform that an element has; raises `ValueError`, which begins with the attribute."""
+    text = element.attributes.get("transform")
+    if text is None:
+        return Matrix()
+    try:
+        return transform(text)
+    except ValueError as error:
+        raise ValueError(f"transform: {error}") from None
+
+
+def _center_of(mark: Element, viewport: Vector) -> Vector:
+    """The centre of a circle, as the group that it is in has it."""
+    return _transform_of(mark).place((length(mark, "cx", viewport[0]), length(mark, "cy", viewport[1])))
+
+
+def _placed(element: Element, target: Element, state: Below) -> Below:
+    """The state within a `use` or an inner `svg`: at its x and y, and in its own view box if it has one."""
+    across, along = state.viewport
+    corner = length(element, "x", across), length(element, "y", along)
+    if target.tag not in {"svg", "symbol"}:
+        return replace(state, matrix=state.matrix.after(Matrix(e=corner[0], f=corner[1])))
+    width = length(element, "width", across, length(target, "width", across, across))
+    height = length(element, "height", along, length(target, "height", along, along))
+    inner = fitting(target, corner, (width, height))
+    return replace(state, matrix=state.matrix.after(inner), viewport=_inner_size(inner, (width, height)))
+
+
+def _inner_size(inner: Matrix, size: Vector) -> Vector:
+    """What 100% are within a viewport of a size whose contents are transformed."""
+    return size[0] / inner.a, size[1] / inner.d

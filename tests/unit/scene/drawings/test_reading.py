@@ -1,0 +1,122 @@
+"""Files of drawings as scenes: tolerances, joints, and how long it takes."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import carom
+from carom import draw
+from carom.scene.drawings import reading
+from tests.drawings import drawn, loaded, refusal, svg
+from tests.unit.scene.everything import world_of_everything
+
+
+def arcs_of(scene: carom.Scene) -> int:
+    """How many arcs a scene has."""
+    return sum(shape.kind == "arc" for shape in scene.shapes)
+
+
+ELLIPSE = '<ellipse cx="50" cy="50" rx="40" ry="20"/>'
+
+
+def test_curves_are_as_near_as_they_are_told(tmp_path: Path) -> None:
+    default = drawn(tmp_path, ELLIPSE)
+    assert arcs_of(default) == arcs_of(loaded(tmp_path, svg(ELLIPSE), tolerance=0.08))
+    finer = loaded(tmp_path, svg(ELLIPSE), tolerance=1e-4)
+    assert arcs_of(finer) > 2 * arcs_of(default)
+    assert arcs_of(finer) == arcs_of(drawn(tmp_path, ELLIPSE, 'width="100" height="100" data-carom-tolerance="1e-4"'))
+
+
+def test_a_tolerance_must_be_positive_and_is_for_drawings(tmp_path: Path) -> None:
+    with pytest.raises(carom.InvalidArgument, match="tolerance must be positive"):
+        loaded(tmp_path, svg(ELLIPSE), tolerance=0.0)
+    assert "data-carom-tolerance: must be positive, not 0.0" in refusal(tmp_path, ELLIPSE, 'data-carom-tolerance="0"')
+    default = carom.Scene()
+    default.save(tmp_path / "a.toml")
+    with pytest.raises(carom.InvalidArgument, match="tolerance is for drawings"):
+        carom.Scene.load(tmp_path / "a.toml", tolerance=0.1)
+
+
+def test_smooth_joints_get_no_guard_point_and_corners_do(tmp_path: Path) -> None:
+    # A curve with three digits whose handles are in line but for rounding, and a corner.
+    curve = '<path d="M 10 50 C 20 20.001 40 10 50 20 C 60.003 30.001 70 40 80 20 L 90 50"/>'
+    world = drawn(tmp_path, curve).build()
+    points = [shape.position for shape in world.shapes if shape.kind == "point"]
+    assert points == [pytest.approx(place) for place in ((10.0, 50.0), (80.0, 80.0), (90.0, 50.0))]
+
+
+def test_elements_that_nearly_meet_are_joined(tmp_path: Path) -> None:
+    lines = '<line x1="0" y1="0" x2="50" y2="0"/><line x1="50.02" y1="0.01" x2="90" y2="40"/>'
+    world = drawn(tmp_path, lines).build()
+    assert sum(shape.kind == "point" for shape in world.shapes) == 3
+
+
+def test_compounds_are_joined_by_themselves(tmp_path: Path) -> None:
+    scene = drawn(
+        tmp_path,
+        '<g data-carom-pivot="0 0"><line x2="50"/></g><line x1="50.02" x2="90" y2="40"/>',
+    )
+    assert scene.shapes[1].start == (50.02, 100.0)
+
+
+def test_a_picture_of_a_scene_is_that_scene(tmp_path: Path) -> None:
+    scene = carom.Scene.from_world(world_of_everything())
+    text = draw.svg(draw.picture_of(scene.build(), "Everything"), scene=scene)
+    assert repr(loaded(tmp_path, text)) == repr(scene)
+
+
+def test_files_that_cannot_be_read_say_why(tmp_path: Path) -> None:
+    for name, said in (("none.svg", "cannot be read: No such file"), ("folder.svg", "cannot be read: Is a directory")):
+        (tmp_path / "folder.svg").mkdir(exist_ok=True)
+        with pytest.raises(carom.SceneError, match=f"{name}: {said}"):
+            carom.Scene.load(tmp_path / name)
+
+
+def test_a_file_that_is_too_long_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "LONGEST_FILE", 100)
+    assert "is longer than 100 bytes" in refusal(tmp_path, " " * 100)
+
+
+def test_drawings_are_known_by_their_endings() -> None:
+    assert reading.is_drawing("a.SVG")
+    assert reading.is_drawing(Path("a.dxf"))
+    assert not reading.is_drawing("a.toml")
+    assert not reading.is_drawing(3)
+
+
+@pytest.mark.parametrize(("ending", "package"), [(".svg", "svgelements"), (".dxf", "ezdxf")])
+def test_a_missing_package_is_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str
+) -> None:
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(carom.MissingExtra, match=rf'need {package}: pip install "carom\[drawings\]"'):
+        loaded(tmp_path, svg(ELLIPSE), ending)
+
+
+MANY = """
+import resource, sys, time
+import carom
+began = time.process_time()
+scene = carom.Scene.load(sys.argv[1])
+print(len(scene.shapes), time.process_time() - began, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000)
+"""
+
+
+@pytest.mark.slow
+def test_a_hundred_thousand_elements_take_seconds_and_no_more_than_their_room(tmp_path: Path) -> None:
+    kinds = (
+        '<line id="a{0}" x1="{1}" y1="{2}" x2="{3}" y2="{2}"/>',
+        '<circle id="a{0}" cx="{1}" cy="{2}" r="2"/>',
+        '<path id="a{0}" d="M {1} {2} H {3} "/>',
+        '<polyline id="a{0}" points="{1},{2} {3},{2}"/>',
+    )
+    places = ((k, 9 * (k % 317), 9 * (k // 317), 9 * (k % 317) + 5) for k in range(100_000))
+    path = tmp_path / "many.svg"
+    path.write_text(svg("\n".join(kinds[place[0] % 4].format(*place) for place in places)))
+    told = subprocess.run([sys.executable, "-c", MANY, path], capture_output=True, text=True, check=True).stdout
+    count, seconds, megabytes = map(float, told.split())
+    assert count == 100_000
+    assert megabytes < 500.0
+    assert seconds < 30.0  # 10 on a machine of its own
