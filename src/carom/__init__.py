@@ -26,6 +26,7 @@ from carom.errors import (
     RecordingError,
     SceneError,
     SnapshotError,
+    SweepError,
     UnknownName,
     WorldBusy,
 )
@@ -85,6 +86,7 @@ __all__ = [
     "Segment",
     "Shape",
     "SnapshotError",
+    "SweepError",
     "UnknownName",
     "World",
     "WorldBusy",
