@@ -222,7 +222,7 @@ def sweep(
         typer.Option(
             metavar="NAME=VALUES",
             help='What differs between runs: a path, an argument of a shipped scene, or seed; "world.friction=0,0.5", '
-            '"world.gravity=(0,-30),(0,-40)", "seed=0:1000" from 0 to 999. All values of one go with all of the others.',
+            '"world.gravity=(0,-30),(0,-40)", "seed=0:1000" up to 999. All values of one go with all of the others.',
         ),
     ] = None,
     measure: Annotated[

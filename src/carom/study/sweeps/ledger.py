@@ -1,8 +1,8 @@
 """The ledger of a sweep: which parts are done. What it does not say did not happen.
 
 `sweep.json` says which sweep it is, each `part-….parquet` holds the rows of a chunk, and `ledger.jsonl` has one line
-for each part, written after the part: its name, the hash of its bytes, the attempt and the worker. A line that was torn, or
-whose part is damaged, does not count, and its runs are done again.
+for each part, written after the part: its name, the hash of its bytes, the attempt and the worker. A line that is torn,
+or whose part is damaged, does not count, and its runs are done again.
 """
 
 from __future__ import annotations

@@ -110,8 +110,10 @@ def _set(thing: Any, tree: Mapping[str | int, Any], steps: Steps) -> Any:
     if isinstance(thing, tuple):
         items = list(thing)
         for place, below in tree.items():
-            deeper = isinstance(below, dict)
-            items[int(place)] = _set(items[int(place)], below, (*steps, place)) if deeper else below
+            item = items[int(place)]
+            # A fault's path has the kind of a shape after its place, where pydantic would have put it.
+            kind = (item.kind,) if hasattr(item, "kind") else ()
+            items[int(place)] = _set(item, below, (*steps, place, *kind)) if isinstance(below, dict) else below
         return tuple(items)
     fields = dict(thing)
     for name, below in tree.items():

@@ -19,7 +19,7 @@ from carom.study.sweeps.progress import Meter
 from carom.study.sweeps.references import reference_of, refuse_while_importing
 from carom.study.sweeps.sources import Source, source_of
 from carom.study.sweeps.store import store_of
-from carom.study.sweeps.tables import arrow, failure_table, result_table, table_bytes
+from carom.study.sweeps.tables import arrow, failure_table, read_table, result_table, table_bytes
 from carom.study.sweeps.workers import SERIAL, Answer, Sent, check_cluster, cluster_of, serial_answers
 
 if TYPE_CHECKING:
@@ -101,9 +101,9 @@ def sweep(
             raise InvalidArgument(f"out {store.name}: holds this sweep already, {done}; resume goes on with it")
         _work(sent, ledger, cluster, shown)
         rows = ledger.rows()
-        table = result_table(runs, sent.ids, rows)
-        ledger.finish(table_bytes(table), table_bytes(failure_table(runs, sent.ids, rows)))
-    return table
+        table = table_bytes(result_table(runs, sent.ids, rows))
+        ledger.finish(table, table_bytes(failure_table(runs, sent.ids, rows)))
+    return read_table(table)
 
 
 @contextmanager

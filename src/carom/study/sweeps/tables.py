@@ -34,9 +34,14 @@ def part_bytes(rows: Iterable[Row]) -> bytes:
 
 
 def rows_of(data: bytes) -> list[Row]:
-    """The rows of which `part_bytes` made bytes; raises `ValueError` or `OSError` where they are damaged."""
-    table = arrow("pyarrow.parquet").read_table(arrow().BufferReader(data))
-    return [Row(**row) for row in table.to_pylist()]
+    """The rows of which `part_bytes` made bytes."""
+    return [Row(**row) for row in read_table(data).to_pylist()]
+
+
+def read_table(data: bytes) -> pyarrow.Table:
+    """The table of which `table_bytes` made bytes; raises `ValueError` or `OSError` where they are damaged."""
+    table: pyarrow.Table = arrow("pyarrow.parquet").read_table(arrow().BufferReader(data))
+    return table
 
 
 def table_bytes(table: pyarrow.Table) -> bytes:

@@ -1,0 +1,110 @@
+"""What sweeps of tests run, importable by their workers; as a program, a sweep that something may be done to.
+
+`python -m tests.sweeping '{"out": …, "runs": …}'` runs one and says how it ended.
+"""
+
+import errno
+import json
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+
+import carom
+from carom import study
+from carom.study.sweeps.store import Folder
+from carom.study.sweeps.tables import table_bytes
+
+#: Seconds that a run of `told` naps, so that there is time to do something to its worker.
+NAP = "CAROM_TEST_NAP"
+#: Where it is set, a deadly run raises, so that this process can make it.
+QUIET = "CAROM_TEST_QUIET"
+SECONDS = 0.1
+
+
+def drop(parameters: dict[str, Any]) -> carom.Scene:
+    """A ball above a floor, higher for each number."""
+    ball = carom.Ball((0.0, 1.0 + 0.01 * parameters.get("number", 0)), radius=0.5, velocity=(0.0, -9.0))
+    return carom.Scene(world={"substeps": 1}, shapes=[carom.Segment((-1, 0), (1, 0), name="floor")], balls=[ball])
+
+
+def told(world: carom.World, hits: carom.Hits, parameters: dict[str, Any]) -> dict[str, Any]:
+    """Where the ball is; raises, or ends its process, where the parameters say so."""
+    if parameters.get("raises"):
+        raise RuntimeError("as it was told")
+    if parameters.get("deadly"):
+        if os.environ.get(QUIET):
+            raise RuntimeError("would kill its worker")
+        os.kill(os.getpid(), signal.SIGKILL)
+    time.sleep(float(os.environ.get(NAP, "0")))
+    return {"height": world.balls.position[0, 1], "hits": len(hits), "path": world.balls.position}
+
+
+def nonsense(world: carom.World, hits: carom.Hits, parameters: dict[str, Any]) -> Any:
+    """What no table can hold."""
+    return {"world": world}
+
+
+def runs(count: int, deadly: int = 0, raises: int = 0) -> list[dict[str, Any]]:
+    """The parameters of some runs, of which some kill their worker and some raise, evenly among them."""
+
+    def among(place: int, few: int) -> bool:
+        return few > 0 and place % (count // few) == (count // few) // 2
+
+    return [
+        {"number": place, "deadly": among(place, deadly), "raises": among(place + 1, raises), "seed": place}
+        for place in range(count)
+    ]
+
+
+def without_seconds(table: pa.Table) -> bytes:
+    """The bytes of a sweep's table without the time that it took."""
+    return table_bytes(table.drop_columns(["seconds"]))
+
+
+def swept(out: Path | str, rows: list[dict[str, Any]], cluster: Any = "serial", **options: Any) -> pa.Table:
+    """The table of a sweep of `drop` with `told`."""
+    given = {"measure": "tests.sweeping:told", "seconds": SECONDS, "progress": False} | options
+    return study.sweep("tests.sweeping:drop", rows, out=out, cluster=cluster, **given)
+
+
+def break_writes(kind: str, after: int) -> None:
+    """Let a write of this process fail, after some that did not: `failed`, `full` or `torn`, which ends the process."""
+    writes = {"write": Folder.write, "append": Folder.append}
+    count = 0
+
+    def breaking(how: str) -> Any:
+        def write(folder: Folder, name: str, data: bytes) -> None:
+            nonlocal count
+            count += 1
+            if count <= after:
+                writes[how](folder, name, data)
+                return
+            with (Path(folder.name) / name).open("ab" if how == "append" else "wb") as file:
+                file.write(data[: len(data) // 2] if kind != "failed" else b"")
+            if kind == "torn":
+                os._exit(3)
+            raise OSError(errno.ENOSPC if kind == "full" else errno.EIO, os.strerror(errno.ENOSPC))
+
+        return write
+
+    for how in writes:
+        setattr(Folder, how, breaking(how))
+
+
+def main(asked: dict[str, Any]) -> None:
+    """Run the sweep that is asked for; exit with 1 and one line where it is refused."""
+    if "fault" in asked:
+        break_writes(*asked["fault"])
+    try:
+        swept(asked["out"], runs(asked["runs"], asked["deadly"], asked["raises"]), asked["cluster"])
+    except carom.CaromError as error:
+        sys.exit(f"{type(error).__name__}: {error}")
+
+
+if __name__ == "__main__":
+    main({"deadly": 0, "raises": 0, "cluster": None} | json.loads(sys.argv[1]))
