@@ -1,5 +1,6 @@
 """A Dask scheduler and its workers on this machine, each started by its command, as on a cluster."""
 
+import json
 import os
 import random
 import signal
@@ -9,6 +10,8 @@ import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from select import select
+from typing import Any
 
 import psutil
 
@@ -50,6 +53,52 @@ def workers_of(parent: int) -> list[psutil.Process]:
     return []
 
 
+class Coordinators:
+    """Processes that run a sweep, one after the other."""
+
+    def __init__(self, log: Path) -> None:
+        self._log = log
+        with log.open("wb") as errors:
+            self._maker = subprocess.Popen(
+                [sys.executable, "-m", "tests.sweeping"],
+                env=environment({}),
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=errors,
+            )
+
+    def start(self, asked: Mapping[str, Any]) -> None:
+        """Start the sweep that is asked for."""
+        assert self._maker.stdin
+        self._log.write_bytes(b"")
+        self._maker.stdin.write(json.dumps(asked).encode() + b"\n")
+        self._maker.stdin.flush()
+        self._number = int(self._line())
+
+    def kill(self) -> None:
+        """End the one that runs by SIGKILL."""
+        os.kill(self._number, signal.SIGKILL)
+
+    def status(self, seconds: float) -> int | None:
+        """The exit status of the one that ran; None where it still runs after some seconds."""
+        assert self._maker.stdout
+        return int(self._line()) if select([self._maker.stdout], [], [], seconds)[0] else None
+
+    def told(self) -> str:
+        """What the last one wrote to stderr."""
+        return self._log.read_text().replace("\0", "")
+
+    def close(self) -> None:
+        """End them all."""
+        self._maker.kill()
+        self._maker.communicate()
+
+    def _line(self) -> bytes:
+        """The next line of the process that makes them."""
+        assert self._maker.stdout
+        return self._maker.stdout.readline()
+
+
 @contextmanager
 def command_cluster(folder: Path, workers: int = 2, **more: str) -> Iterator[CommandCluster]:
     """A scheduler with some workers, which end with the context."""
@@ -68,8 +117,6 @@ def command_cluster(folder: Path, workers: int = 2, **more: str) -> Iterator[Com
         while not file.exists() or not file.stat().st_size:
             time.sleep(0.05)
         nannies = [start("dask_worker", "--nthreads", "1", "--no-dashboard") for _ in range(workers)]
-        import json
-
         yield CommandCluster(json.loads(file.read_text())["address"], nannies)
     finally:
         for process in reversed(started):

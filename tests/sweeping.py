@@ -1,6 +1,7 @@
-"""What sweeps of tests run, importable by their workers; as a program, a sweep that something may be done to.
+"""What sweeps of tests run, importable by their workers; as a program, sweeps that something may be done to.
 
-`python -m tests.sweeping '{"out": …, "runs": …}'` runs one and says how it ended.
+`python -m tests.sweeping` makes a process for each line that it reads, `{"out": …, "runs": …}`, and writes a line with
+its number and one with its exit status.
 """
 
 import errno
@@ -96,15 +97,34 @@ def break_writes(kind: str, after: int) -> None:
         setattr(Folder, how, breaking(how))
 
 
-def main(asked: dict[str, Any]) -> None:
-    """Run the sweep that is asked for; exit with 1 and one line where it is refused."""
+def coordinate(asked: dict[str, Any]) -> int:
+    """The exit status of a process that runs the sweep which is asked for: 1 and one line where it is refused."""
     if "fault" in asked:
         break_writes(*asked["fault"])
     try:
-        swept(asked["out"], runs(asked["runs"], asked["deadly"], asked["raises"]), asked["cluster"])
+        swept(asked["out"], runs(asked["runs"], asked["deadly"]), asked["cluster"])
     except carom.CaromError as error:
-        sys.exit(f"{type(error).__name__}: {error}")
+        sys.stderr.write(f"{type(error).__name__}: {error}\n")
+        return 1
+    return 0
+
+
+def main() -> None:
+    """Fork a process for each sweep that is asked for, which saves it the time to import everything."""
+    import distributed  # noqa: F401
+
+    for line in sys.stdin:
+        asked = json.loads(line)
+        child = os.fork()
+        if child == 0:
+            status = coordinate(asked)
+            sys.stderr.flush()
+            os._exit(status)
+        sys.stdout.write(f"{child}\n")
+        sys.stdout.flush()
+        sys.stdout.write(f"{os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])}\n")
+        sys.stdout.flush()
 
 
 if __name__ == "__main__":
-    main({"deadly": 0, "raises": 0, "cluster": None} | json.loads(sys.argv[1]))
+    main()

@@ -6,7 +6,6 @@ always kill their worker, a full disk.
 
 import json
 import random
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -18,7 +17,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from carom.study.sweeps.chunks import MOST_DEATHS
-from tests.dask_cluster import CommandCluster, command_cluster, environment
+from tests.dask_cluster import CommandCluster, Coordinators, command_cluster
 from tests.sweeping import NAP, QUIET, runs, swept, without_seconds
 
 
@@ -39,7 +38,7 @@ def plan(large: bool) -> Plan:
     kinds = ["failed", "torn"]
     if large:
         return Plan(10_000, 200, 5, [*kinds * 10, "full"], 10, 0.03)
-    return Plan(24, 2, 1, [*kinds, "full"], 1, 0.25)
+    return Plan(20, 1, 10, [*kinds, "full"], 1, 0.5)
 
 
 def lines(out: Path) -> list[dict[str, Any]]:
@@ -57,8 +56,8 @@ def runs_done(out: Path) -> int:
 class Campaign:
     """A campaign against a sweep in the folder `out`, and what has happened in it."""
 
-    def __init__(self, out: Path, cluster: CommandCluster, asked: Plan) -> None:
-        self.out, self.cluster, self.plan = out, cluster, asked
+    def __init__(self, out: Path, cluster: CommandCluster, coordinators: Coordinators, asked: Plan) -> None:
+        self.out, self.cluster, self.coordinators, self.plan = out, cluster, coordinators, asked
         self.chance = random.Random(20)
         self.happened: Counter[str] = Counter()
         self._worker_marks = self._marks(asked.worker_kills)
@@ -78,32 +77,30 @@ class Campaign:
     def _attempt(self) -> int:
         """The exit status of one coordinator, with what happens to it and to the workers meanwhile."""
         asked = {"runs": self.plan.runs, "deadly": self.plan.deadly, "cluster": self.cluster.address}
-        if self._fault_marks and self._fault_marks[-1][0] <= runs_done(self.out) + 0.05 * self.plan.runs:
+        fault = bool(self._fault_marks) and self._fault_marks[-1][0] <= runs_done(self.out)
+        if fault:
             kind = self._fault_marks.pop()[1]
             self.happened[kind] += 1
-            asked["fault"] = [kind, self.chance.randrange(1, 6)]
-        program = [sys.executable, "-m", "tests.sweeping", json.dumps(asked | {"out": str(self.out)})]
-        process = subprocess.Popen(program, env=environment({}), stderr=subprocess.PIPE, text=True)
-        while process.poll() is None:
-            time.sleep(self.chance.uniform(0.0, 0.1))
-            self._strike(process, runs_done(self.out))
-        told = process.communicate()[1]
-        if process.returncode == 1:
-            assert "SweepError" in told
-            assert len(told.splitlines()) == 1
-        return process.returncode
+            asked["fault"] = [kind, self.chance.randrange(1, 4)]
+        self.coordinators.start(asked | {"out": str(self.out)})
+        while (status := self.coordinators.status(self.chance.uniform(0.0, 0.1))) is None:
+            self._strike(runs_done(self.out), fault)
+        if status == 1:
+            assert "SweepError" in self.coordinators.told()
+            assert len(self.coordinators.told().splitlines()) == 1
+        return status
 
-    def _strike(self, process: subprocess.Popen[str], done: int) -> None:
-        """Kill who is due."""
+    def _strike(self, done: int, fault: bool) -> None:
+        """Kill who is due; the coordinator too so that the next one is made with its fault."""
         if self._worker_marks and self._worker_marks[-1] <= done and self.cluster.kill_worker(self.chance):
             self._worker_marks.pop()
             self.happened["workers killed"] += 1
         if self._coordinator_marks and self._coordinator_marks[-1] <= done:
             self._coordinator_marks.pop()
-            process.kill()
+            self.coordinators.kill()
             self.happened["coordinators killed"] += 1
-        if self._fault_marks and self._fault_marks[-1][0] <= done and "fault" not in process.args[-1]:  # type: ignore[index]
-            process.kill()  # so that the next one is made with its fault
+        elif self._fault_marks and self._fault_marks[-1][0] <= done and not fault:
+            self.coordinators.kill()
             self.happened["coordinators killed for a fault"] += 1
 
 
@@ -114,8 +111,12 @@ def test_a_sweep_to_which_everything_happens_is_a_quiet_one_s(
     asked = plan(bool(request.config.getoption("--campaign")))
     began = time.monotonic()
     with command_cluster(tmp_path, **{NAP: str(asked.nap)}) as cluster:
-        campaign = Campaign(tmp_path / "out", cluster, asked)
-        campaign.run()
+        coordinators = Coordinators(tmp_path / "coordinators.log")
+        try:
+            campaign = Campaign(tmp_path / "out", cluster, coordinators, asked)
+            campaign.run()
+        finally:
+            coordinators.close()
     happened, took = campaign.happened, time.monotonic() - began
     sys.stderr.write(f"\ncampaign of {asked.runs:,} runs in {took:,.0f} s: {dict(happened)}\n")
     monkeypatch.setenv(QUIET, "1")
