@@ -49,7 +49,9 @@ class CommandCluster:
 def workers_of(parent: int) -> list[psutil.Process]:
     """The worker processes that a process has started."""
     with suppress(psutil.Error):
-        return [child for child in psutil.Process(parent).children() if "spawn_main" in " ".join(child.cmdline())]
+        children = psutil.Process(parent).children()
+        forked = [one for child in children if "forkserver" in " ".join(child.cmdline()) for one in child.children()]
+        return forked + [child for child in children if "spawn_main" in " ".join(child.cmdline())]
     return []
 
 
@@ -106,17 +108,17 @@ def command_cluster(folder: Path, workers: int = 2, **more: str) -> Iterator[Com
     given = environment({"DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "0", **more})
 
     def start(module: str, *arguments: str) -> subprocess.Popen[bytes]:
-        command = [sys.executable, "-m", f"distributed.cli.{module}", "--scheduler-file", str(file), *arguments]
+        command = [sys.executable, "-m", module, "--scheduler-file", str(file), *arguments]
         log = (folder / f"{module}{len(started)}.log").open("wb")
         started.append(subprocess.Popen(command, env=given, cwd=folder, stdout=log, stderr=log))
         log.close()
         return started[-1]
 
     try:
-        start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        start("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
         while not file.exists() or not file.stat().st_size:
             time.sleep(0.05)
-        nannies = [start("dask_worker", "--nthreads", "1", "--no-dashboard") for _ in range(workers)]
+        nannies = [start("tests.dask_nanny", "--nthreads", "1", "--no-dashboard") for _ in range(workers)]
         yield CommandCluster(json.loads(file.read_text())["address"], nannies)
     finally:
         for process in reversed(started):

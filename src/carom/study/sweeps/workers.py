@@ -185,7 +185,7 @@ def _local(runs: int) -> Iterator[Any]:
                 n_workers=min(system.CPU_COUNT, runs),
                 threads_per_worker=1,
                 processes=True,
-                dashboard_address=None,
+                dashboard_address="localhost:0",
                 silence_logs=logging.CRITICAL,
                 env=ONE_THREAD,
             )
