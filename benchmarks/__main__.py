@@ -15,7 +15,21 @@ from types import ModuleType
 
 from rich.console import Console
 
-from benchmarks import aiming, continuous, drawing, galton, gas, heaps, memory, pinball, play, rooms, scaling, startup
+from benchmarks import (
+    aiming,
+    continuous,
+    drawing,
+    galton,
+    gas,
+    heaps,
+    memory,
+    pinball,
+    play,
+    rooms,
+    scaling,
+    startup,
+    sweep,
+)
 from benchmarks.common import Figure, show
 
 WORKLOADS: dict[str, ModuleType] = {
@@ -31,6 +45,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "play": play,
     "startup": startup,
     "memory": memory,
+    "sweep": sweep,
 }
 
 
