@@ -6,10 +6,9 @@ from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import Any
 
+from benchmarks.common import Figure
 from carom import study
 from carom.study.sweeps.chunks import CHUNK_SECONDS
-
-from benchmarks.common import Figure
 
 TITLE = f"Sweeps: the clock's time a run, in chunks of {CHUNK_SECONDS:g} s of work"
 
