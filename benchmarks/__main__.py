@@ -29,6 +29,7 @@ from benchmarks import (
     rooms,
     scaling,
     startup,
+    sweep,
 )
 from benchmarks.common import Figure, show
 
@@ -46,6 +47,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "play": play,
     "startup": startup,
     "memory": memory,
+    "sweep": sweep,
 }
 
 

@@ -26,6 +26,7 @@ from carom.errors import (
     RecordingError,
     SceneError,
     SnapshotError,
+    SweepError,
     UnknownName,
     WorldBusy,
 )
@@ -86,6 +87,7 @@ __all__ = [
     "Segment",
     "Shape",
     "SnapshotError",
+    "SweepError",
     "UnknownName",
     "World",
     "WorldBusy",

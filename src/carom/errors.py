@@ -73,3 +73,7 @@ class MissingExtra(CaromError, ImportError):
 
 class CompileError(CaromError, RuntimeError):
     """Kernels were to be compiled and kept, and cannot be; the message says why."""
+
+
+class SweepError(CaromError, RuntimeError):
+    """A sweep cannot begin or go on; the message says why. What is in its ledger is kept."""

@@ -1,4 +1,4 @@
-"""The command line: `carom run`, `show`, `check`, `scenes`."""
+"""The command line: `carom run`, `show`, `check`, `scenes`, `sweep`."""
 
 from carom.cli.app import main
 

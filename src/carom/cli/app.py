@@ -9,7 +9,7 @@ from typing import Annotated, Any, NoReturn
 import typer
 from typer.core import TyperGroup
 
-from carom.cli import commands, files, games, watching
+from carom.cli import commands, files, games, sweeping, watching
 from carom.cli.mistakes import Mistake, meant, no_such
 from carom.cli.quantities import non_negative, number, positive
 from carom.cli.view import View
@@ -235,6 +235,54 @@ def compile() -> None:
     code is kept in the user's cache folder, or in CAROM_CACHE_DIR.
     """
     commands.compile_ahead()
+
+
+@app.command()
+def sweep(
+    scene: SceneName,
+    out: Annotated[
+        str, typer.Option(metavar="FOLDER", help="Keep the sweep in this folder, or at an address that fsspec knows.")
+    ],
+    seconds: Annotated[str, typer.Option(metavar="S", help="Simulated time of each run, in seconds.")],
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUES",
+            help='What differs between runs: a path, an argument of a shipped scene, or seed; "world.friction=0,0.5", '
+            '"world.gravity=(0,-30),(0,-40)", "seed=0:1000" up to 999. All values of one go with all of the others.',
+        ),
+    ] = None,
+    measure: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME",
+            show_default=False,
+            help="What is kept of a run: hits-by-shape, hits-by-kind, impact-speeds, energy, last-state, statistics, "
+            "or a function of yours as module:function. By default hits-by-shape.",
+        ),
+    ] = "hits-by-shape",
+    dt: Annotated[
+        str,
+        typer.Option(
+            metavar="S", show_default=False, help="Length of a step: a number or a fraction. By default 1/60."
+        ),
+    ] = "1/60",
+    cluster: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS",
+            help="A running Dask scheduler, or serial for one process. By default a process for each core.",
+        ),
+    ] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with the sweep that is in the folder.")] = False,
+) -> None:
+    """Run a scene many times, and keep a table of what came of it.
+
+    SCENE is a scene file, the name of a shipped scene, or a function as module:function. Ctrl-C stops the sweep, and
+    --resume goes on with it, as it does after anything else that ended it.
+    """
+    length, step = non_negative("--seconds", seconds), positive("--dt", dt)
+    sweeping.sweep(scene, vary or [], measure, length, step, out, cluster, resume)
 
 
 @app.command()
