@@ -92,5 +92,6 @@ HELP: tuple[tuple[str, str, str], ...] = (
     ("F1 or H", "Back", "this help"),
     ("F2", "", "frame rate"),
     ("F11", "", "full screen"),
+    ("F12, PrtScr", "", "screenshot"),
     ("Esc", "", "quit"),
 )

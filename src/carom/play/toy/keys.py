@@ -83,6 +83,6 @@ HELP: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
     ),
     (
         "Window",
-        (("F1 or H", "this help"), ("F11", "full screen"), ("Esc", "quit")),
+        (("F1 or H", "this help"), ("F11", "full screen"), ("F12", "screenshot (or PrtScr)"), ("Esc", "quit")),
     ),
 )

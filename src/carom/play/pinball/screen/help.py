@@ -17,6 +17,7 @@ KEYS = (
     ("F2", "frame rate and the time that a frame takes"),
     ("F3", "art, art and exact lines, lines alone"),
     ("F11", "full screen"),
+    ("F12, PrtScr", "screenshot"),
     ("P", "pause"),
     ("M", "sound on and off"),
     ("Esc", "pauses a game; once more ends it"),
