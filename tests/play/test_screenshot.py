@@ -9,7 +9,7 @@ import platformdirs
 import pygame
 import pytest
 
-from carom.play import screenshot
+from carom.play import files, screenshot
 from carom.play.icon import icon
 from carom.play.meter import FrameMeter
 from carom.play.window import TOLD, Window
@@ -71,7 +71,7 @@ def test_a_key_keeps_the_picture_and_the_window_says_where(pictures: Path, key: 
     window.frame(1 / 60)
     press(window, key)
     (path,) = pictures.iterdir()
-    assert written == [f"screenshot: {path}"]
+    assert written == [f"screenshot kept as {path}"]
     assert path.name == "carom-a-game-1.png"
     assert game.keys == []
     kept = pygame.surfarray.array3d(pygame.image.load(path))
@@ -102,25 +102,25 @@ def test_no_file_is_overwritten(pictures: Path) -> None:
 def test_without_a_pictures_folder_it_is_the_current_one(pictures: Path) -> None:
     pictures.rmdir()
     surface = pygame.Surface((3, 2))
-    assert screenshot.keep(surface, "x") == f"screenshot: {Path.cwd() / 'x-1.png'}"
+    assert screenshot.keep(surface, "x") == f"screenshot kept as {Path.cwd() / 'x-1.png'}"
     assert not pictures.exists()
 
 
 def test_a_folder_that_takes_nothing_is_passed_over_and_the_last_one_is_told_of(
     pictures: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    real, refused = screenshot.write_new, {pictures}
+    real, refused = files.write_new, {pictures}
 
-    def write(folder: Path, stem: str, content: bytes) -> Path:
+    def write(folder: Path, name: str, content: bytes) -> Path:
         if folder in refused:
             raise PermissionError(13, "Permission denied")
-        return real(folder, stem, content)
+        return real(folder, name, content)
 
-    monkeypatch.setattr(screenshot, "write_new", write)
+    monkeypatch.setattr(files, "write_new", write)
     surface = pygame.Surface((3, 2))
-    assert screenshot.keep(surface, "x") == f"screenshot: {Path.cwd() / 'x-1.png'}"
+    assert screenshot.keep(surface, "x") == f"screenshot kept as {Path.cwd() / 'x-1.png'}"
     refused.add(Path.cwd())
-    assert screenshot.keep(surface, "x") == f"no screenshot: {Path.cwd()} takes none (Permission denied)"
+    assert screenshot.keep(surface, "x") == f"screenshot not kept: {Path.cwd()} takes no file (Permission denied)"
 
 
 def test_a_window_has_an_icon_before_it_opens(monkeypatch: pytest.MonkeyPatch) -> None:
