@@ -14,6 +14,8 @@ from carom.scene import Scene, scenes
 
 #: The ending of recordings.
 RECORDED = ".carom"
+#: The headings of shipped scenes whose names have no room for all of it.
+TITLES = {"newtons_cradle": "Newton's cradle"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +31,9 @@ class Source:
     @property
     def title(self) -> str:
         """The name as a heading."""
-        return self.name if self.path is not None else self.name.replace("_", " ").capitalize()
+        if self.path is not None:
+            return self.name
+        return TITLES.get(self.name, self.name.replace("_", " ").capitalize())
 
     @property
     def picture(self) -> Path:

@@ -62,9 +62,10 @@ def test_the_display_says_what_the_game_is_about() -> None:
     assert words(page_of(told(phase=Phase.OVER), 0.0)) == ["GAME OVER", "12,345"]
     assert words(page_of(told(phase=Phase.ENTRY), 0.0))[1] == "A B C"
     assert words(page_of(told(phase=Phase.ENTRY), 0.3))[1] == "A _ C"
-    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6)] == [
+    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6, 3.1)] == [
         "FLIPPERS CHOOSE",
         "SPACE TAKES",
+        "OR TYPE THEM",
     ]
 
 

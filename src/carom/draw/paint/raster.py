@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from functools import lru_cache
 from itertools import pairwise
-from math import pi, sqrt
+from math import ceil, pi, sqrt
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,8 +42,8 @@ FINER_PLACES = 4
 #: What a quick painter draws as pygame does: faint lines, lines up to so many pixels wide, and areas with up to so many
 #: corners.
 QUICK_WIDTH, QUICK_CORNERS = 3.0, 4
-#: Pixels: how far apart the corners are of the line that a quick painter draws an arc as.
-QUICK_STEP = 5.0
+#: Pixels: how far inside of an arc the line may be that a quick painter draws it as.
+QUICK_SAGITTA = 0.15
 #: Letters are drawn so many times larger and made smaller, for fonts put small letters at whole pixels, unevenly apart.
 FINER_LETTERS = 4
 #: The edge of an area that is drawn quickly.
@@ -131,7 +131,9 @@ class RasterPainter:
         place, pixels = self._pixel(*center), radius * self._frame.scale * self._zoom
         sweep = (end_angle - start_angle) % (2.0 * pi)
         if style.stroke is not None and not style.dash and self._is_quick(style):
-            angles = start_angle + np.linspace(0.0, sweep, max(3, int(pixels * sweep / QUICK_STEP)))
+            # A chord over an angle a of a circle of radius r is r a²/8 inside of it.
+            pieces = ceil(sweep / sqrt(8.0 * QUICK_SAGITTA / max(pixels, 1.0)))
+            angles = start_angle + np.linspace(0.0, sweep, max(3, pieces + 1))
             xs, ys = place[0] + pixels * np.cos(angles), place[1] - pixels * np.sin(angles)
             places = list(zip(xs.tolist(), ys.tolist(), strict=True))
             self._quick_lines(pairwise(places), style, style.stroke)

@@ -110,6 +110,15 @@ def test_a_quick_line_is_where_the_fine_one_is() -> None:
     assert np.abs(blurred(cover(quick)) - blurred(cover(fine))).max() < 0.3
 
 
+@pytest.mark.parametrize("radius", [0.3, 0.57, 4.0])
+def test_a_quick_arc_is_round_however_small(radius: float) -> None:
+    made = painter(quick=True)
+    made.arc((10.0, 5.0), radius, 0.3, 0.3 + np.pi, draw.Style("text", width=1.0))
+    across, down = np.nonzero(cover(made) > 0.3)
+    off = np.hypot(across + 0.5 - 100.0, down + 0.5 - 50.0) - 10.0 * radius
+    assert np.abs(off).max() < 1.6, "its corners are no farther off the arc than a smooth line is wide"
+
+
 @pytest.mark.parametrize("dash", [(), (3.0, 3.0)])
 @pytest.mark.parametrize("zoom", [1.0, 2.0])
 def test_the_sides_of_a_box_are_four_segments_quick_or_fine(dash: tuple[float, ...], zoom: float) -> None:

@@ -23,7 +23,6 @@ from carom.play.pinball.rules.scores import HighScores
 from carom.play.pinball.rules.table import IDLE_SPIN, STEP, Flipper, Part, Table
 
 BALLS = 3
-
 #: Steps: until the plunger is drawn wholly, before a ball is launched by itself, between two steps of the bonus, and
 #: how long the game's end and the choice of initials last when nobody presses anything.
 PULL_TIME, AUTO_WAIT, BONUS_STEP, OVER_TIME, ENTRY_TIME = 720, 288, 24, 6 * RATE, 60 * RATE
@@ -38,8 +37,7 @@ UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
 #: Steps between two looks at where balls are, and at the spinner.
-WATCH = 4
-SPIN_LOOK = 24
+WATCH, SPIN_LOOK = 4, 24
 
 
 class Pinball:
@@ -65,7 +63,7 @@ class Pinball:
         self._journal = Journal()
         self._rules = Rules(self.table, self._emit, self._random)
         self._presses: list[tuple[Control, bool]] = []
-        self._entry = Entry()
+        self._entry = Entry(self.high_scores.last)
         self._stages: dict[Phase, Callable[[], None]] = {
             Phase.PLAY: self._tick_play,
             Phase.BONUS: self._tick_bonus,
@@ -465,18 +463,21 @@ class Pinball:
         self._stage = Phase.OVER
         if self._demo is None and self.high_scores.place(self.score) is not None:
             self._stage = Phase.ENTRY
-            self._entry = Entry()
+            self._entry = Entry(self.high_scores.last)
             self._tell(EventKind.KNOCK)
 
     def _heed_entry(self, control: Control, down: bool) -> None:
         """Change a letter, or accept it."""
-        if not down or self._wait < 0:
-            return
-        self._wait = 0
-        if control in (Control.LEFT, Control.RIGHT):
-            self._entry.turn(-1 if control is Control.LEFT else 1)
-        elif control in (Control.START, Control.PLUNGER) and self._entry.accept():
-            self._keep_score()
+        if down and self._wait >= 0:
+            self._wait = 0
+            if self._entry.heed(control):
+                self._keep_score()
+
+    def type_initial(self, letter: str) -> None:
+        """Take a typed letter as an initial, while they are chosen; "" takes the last one back."""
+        if self._stage is Phase.ENTRY and self._wait >= 0:
+            self._wait = 0
+            self._entry.type(letter)
 
     def _keep_score(self) -> None:
         """Keep the score under the initials."""

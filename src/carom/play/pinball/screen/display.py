@@ -84,7 +84,8 @@ def _notice(game: Pinball, lit: bool) -> Page:
 def _entry(game: Pinball, seconds: float) -> Page:
     """The initials that are being chosen, the one in turn blinking, and what to press."""
     lit = int(seconds / BLINK_TIME) % 2 == 0
-    hint = ("FLIPPERS CHOOSE", "SPACE TAKES")[int(seconds / HINT_TIME) % 2]
+    hints = ("FLIPPERS CHOOSE", "SPACE TAKES", "OR TYPE THEM")
+    hint = hints[int(seconds / HINT_TIME) % len(hints)]
     shown = "".join(letter if place != game.initial_place or lit else "_" for place, letter in enumerate(game.initials))
     return Page(
         (

@@ -13,6 +13,7 @@ KEYS = (
     ("Space, Down", "hold to draw the plunger, let go to shoot; starts a game"),
     ("Return, 1", "starts a game"),
     ("A, D, W or Up", "nudge the table: to the left, to the right, upward"),
+    ("Letters, Backspace", "initials for a high score: type them, take one back"),
     ("F1", "this help"),
     ("F2", "frame rate and the time that a frame takes"),
     ("F3", "art, art and exact lines, lines alone"),
