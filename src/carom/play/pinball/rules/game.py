@@ -15,7 +15,7 @@ from carom.play.pinball.rules.balls import LOOK, Balls, BallState
 from carom.play.pinball.rules.controls import NUDGES, Control, Phase
 from carom.play.pinball.rules.entry import Entry
 from carom.play.pinball.rules.events import Event, EventKind
-from carom.play.pinball.rules.journal import Journal
+from carom.play.pinball.rules.journal import Journal, message_of
 from carom.play.pinball.rules.lamps import LampState
 from carom.play.pinball.rules.ledger import Ledger
 from carom.play.pinball.rules.rules import RATE, Rules
@@ -151,17 +151,12 @@ class Pinball:
     @property
     def message(self) -> str:
         """What the score display says."""
-        if self._demo is not None:
-            return "PRESS START"
-        if self._stage is Phase.ENTRY:
-            return f"HIGH SCORE  ENTER INITIALS  {self.initials}"
-        if self._stage is Phase.OVER:
-            return "GAME OVER"
-        if self._stage is Phase.BONUS:
-            return f"BONUS {self.bonus:,} x {self.multiplier}"
-        if self.tilted:
-            return "TILT"
-        return self._journal.notice or f"BALL {self.ball_number}"
+        return message_of(self, self._journal.notice)
+
+    @property
+    def goal(self) -> str:
+        """What to shoot and why, in a line."""
+        return self._rules.goal
 
     def take_events(self) -> list[Event]:
         """What has happened since this was last asked, in order."""
