@@ -20,6 +20,8 @@ from carom.scene.drawings.reading import is_drawing
 
 #: The ending of recordings.
 RECORDED = ".carom"
+#: The headings of shipped scenes whose names have no room for all of it.
+TITLES = {"newtons_cradle": "Newton's cradle"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,9 @@ class Source:
     @property
     def title(self) -> str:
         """The name as a heading."""
-        return self.name if self.path is not None else self.name.replace("_", " ").capitalize()
+        if self.path is not None:
+            return self.name
+        return TITLES.get(self.name, self.name.replace("_", " ").capitalize())
 
     @property
     def picture(self) -> Path:

@@ -8,6 +8,7 @@ from typing import Any
 import pygame
 
 import carom
+from carom.play.icon import icon
 
 #: What SDL opens where there is no screen, unless it was asked for by name.
 BLIND = {"offscreen", "dummy", "evdev"}
@@ -34,6 +35,8 @@ class Screen:
 
     def __init__(self, size: tuple[int, int]) -> None:
         check_screen()
+        # Before the window opens: some systems show no other icon than the one it opened with.
+        pygame.display.set_icon(icon())
         self._size = size
         self._full = False
         self._windowed = window_size(size, pygame.display.get_desktop_sizes()[0])

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 import pygame
 
 import carom
+from carom.play import screenshot
 from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
 from carom.play.screen import Screen, check_screen
@@ -18,9 +19,13 @@ if TYPE_CHECKING:
 RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
-#: What is written in the picture's lower left corner while it is so: letters of so many pixels, their ink, its plate.
+#: What is written in the picture's lower left corner while it is so.
 COMPILING = "compiling in the background: soon it runs faster"
+#: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
+#: The keys that keep a screenshot, and for how many seconds it is said where.
+SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
+TOLD = 5.0
 
 
 class Game(Protocol):
@@ -55,6 +60,8 @@ class Window:
         self._game = game
         self._screen = Screen(game.size)
         self._letters = Letters()
+        self._shooting = False
+        self._kept, self._kept_left = "", 0.0
         pygame.display.set_caption(game.title)
 
     @property
@@ -73,23 +80,37 @@ class Window:
                 game.running = False
             elif event.type == pygame.KEYDOWN and event.key == pygame.K_F11:
                 screen.toggle_full()
+            elif event.type == pygame.KEYDOWN and event.key in SCREENSHOT:
+                self._shooting = True
             else:
                 game.handle(screen.seen(event))
         game.advance(min(seconds, LONGEST_FRAME))
         game.draw(screen.picture)
-        if carom.compiling():
-            self._tell_compiling()
+        self._keep()
+        self._tell(seconds)
         screen.show()
         game.meter.end()
         pygame.display.flip()
 
-    def _tell_compiling(self) -> None:
-        """Write into the picture's corner that kernels are compiled meanwhile."""
-        letters = self._letters
-        area = pygame.Rect(0, 0, letters.width(COMPILING, SMALL) + 12, SMALL + 6)
-        area.bottomleft = (0, self._game.size[1])
-        self.surface.fill(PLATE, area)
-        letters.draw(self.surface, COMPILING, (area.left + 6, area.top + 2), SMALL, INK)
+    def _keep(self) -> None:
+        """Keep a screenshot, if that was asked for."""
+        if self._shooting:
+            self._kept, self._kept_left = screenshot.keep(self.surface, self._game.title), TOLD
+            self._shooting = False
+
+    def _tell(self, seconds: float) -> None:
+        """Write into the picture's corner where a screenshot was kept, and that kernels are compiled meanwhile."""
+        lines = [COMPILING] if carom.compiling() else []
+        if self._kept_left > 0.0:
+            lines.append(self._kept)
+            self._kept_left -= seconds
+        letters, bottom = self._letters, self._game.size[1]
+        for words in lines:
+            area = pygame.Rect(0, 0, letters.width(words, SMALL) + 12, SMALL + 6)
+            area.bottomleft = (0, bottom)
+            self.surface.fill(PLATE, area)
+            letters.draw(self.surface, words, (area.left + 6, area.top + 2), SMALL, INK)
+            bottom = area.top
 
     def run(self, seconds: float | None = None) -> FrameMeter:
         """The times of all frames, once the game has been closed or `seconds` are over."""

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from carom.play.controls import Button
-from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, run
+from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, Score, run
 from carom.play.pinball.screen import display, help
 from carom.play.pinball.screen.app import BEHIND, BUTTONS, KEYS
 from carom.play.pinball.screen.lines import Mode
@@ -244,3 +244,34 @@ def test_keys_that_do_not_trip_sticky_keys_are_named_first() -> None:
     flippers = [keys.split(", ")[0] for keys, meaning in help.KEYS if "flipper;" in meaning]
     assert flippers == ["Left", "Right"]
     assert display.KEYS.startswith("Left, Right: flippers")
+
+
+def test_initials_are_typed_and_taken_back_and_letters_do_nothing_else_meanwhile() -> None:
+    app, window = session(scores=HighScores([Score(initials="EVA", score=5)]))
+    app.game.high_scores.last = "KIM"
+    app.game.press(Control.START, True)
+    app.game.tick()
+    app.game._rules.score = 1_000
+    app.game._end_game()
+    assert (app.game.phase, app.game.initials) == (Phase.ENTRY, "KIM")
+
+    def typed(number: int, letter: str = "") -> None:
+        pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=number, unicode=letter, mod=0))
+        window.frame(1.0 / 60.0)
+
+    typed(pygame.K_z, "z")
+    assert app.game.initials == "KIM", "what is pressed at once was meant for the ball"
+    for _ in range(61):
+        window.frame(1.0 / 60.0)
+    for letter in "zm":
+        typed(ord(letter), letter)
+    assert (app.game.initials, app.game.initial_place, app.speaker.muted) == ("ZMM", 2, False)
+    typed(pygame.K_BACKSPACE)
+    typed(pygame.K_BACKSPACE)
+    assert app.game.initial_place == 0
+    for letter in "P1":
+        typed(ord(letter.lower()), letter)
+    assert (app.game.initials, app.paused) == ("P1M", False)
+    typed(pygame.K_RETURN)
+    assert app.game.phase is Phase.OVER
+    assert app.game.high_scores.best.initials == app.game.high_scores.last == "P1M"

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import platformdirs
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from carom.play.pinball import HighScores, Score
@@ -163,7 +165,7 @@ def test_initials_are_three_letters_of_those_there_are() -> None:
 
 
 def test_letters_go_round_and_are_accepted_one_by_one() -> None:
-    entry = Entry()
+    entry = Entry("AAA")
     entry.turn(-1)
     assert entry.initials == f"{LETTERS[-1]}AA"
     entry.turn(2)
@@ -173,3 +175,30 @@ def test_letters_go_round_and_are_accepted_one_by_one() -> None:
     assert entry.initials == "BBA"
     assert entry.accept()
     assert entry.place == 2
+
+
+@given(typed=st.lists(st.sampled_from([*"abcXYZ09.-", "", "ä", "ab", " "]), max_size=12))
+def test_what_is_typed_is_what_stands_there_and_can_be_taken_back(typed: list[str]) -> None:
+    entry, wanted, place = Entry("AAA"), list("AAA"), 0
+    for letter in typed:
+        entry.type(letter)
+        if letter == "":
+            place = max(place - 1, 0)
+        elif len(letter) == 1 and letter.upper() in LETTERS:
+            wanted[place], place = letter.upper(), min(place + 1, 2)
+        assert (entry.initials, entry.place) == ("".join(wanted), place)
+
+
+def test_the_last_initials_are_remembered(tmp_path: Path) -> None:
+    path = tmp_path / "scores.json"
+    scores = HighScores.load(path)
+    assert scores.last == "AAA"
+    scores.add("ZOE", 2_000_000)
+    scores.add("TOM", 1)
+    assert HighScores.load(path).last == "ZOE", "who is not among the best was not asked"
+    path.write_text(json.dumps(GOOD))
+    assert HighScores.load(path).last == "AAA"
+    path.write_text(json.dumps(GOOD | {"last": "zoe"}))
+    told: list[str] = []
+    HighScores.load(path, told.append)
+    assert len(told) == 1

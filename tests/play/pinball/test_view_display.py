@@ -26,6 +26,7 @@ def told(**changes: Any) -> Any:
         "score": 12_345,
         "ball_number": 2,
         "message": "BALL 2",
+        "goal": "ORBITS 8,000 30 S",
         "bonus": 1_200,
         "multiplier": 3,
         "plunger_pull": 0.0,
@@ -50,8 +51,9 @@ def words(page: Page) -> list[str]:
 
 
 def test_the_display_says_what_the_game_is_about() -> None:
-    assert words(page_of(told(), 0.0)) == ["12,345", "BALL 2", "1,200 x 3"]
-    assert words(page_of(told(bonus=0), 0.0)) == ["12,345", "BALL 2"]
+    assert words(page_of(told(), 0.0)) == ["12,345", "ORBITS 8,000 30 S"]
+    assert words(page_of(told(balls_in_play=0), 0.0)) == ["12,345", "BALL 2", "1,200 x 3"]
+    assert words(page_of(told(balls_in_play=0, bonus=0), 0.0)) == ["12,345", "BALL 2"]
     waiting = {"ledger": Ledger(created=1, held=1), "balls_in_play": 0}
     assert words(page_of(told(**waiting), 0.0))[-1] == "HOLD SPACE"
     assert page_of(told(plunger_pull=0.5, **waiting), 0.0).bars == (Bar(29, 6, 0.5),)
@@ -62,9 +64,10 @@ def test_the_display_says_what_the_game_is_about() -> None:
     assert words(page_of(told(phase=Phase.OVER), 0.0)) == ["GAME OVER", "12,345"]
     assert words(page_of(told(phase=Phase.ENTRY), 0.0))[1] == "A B C"
     assert words(page_of(told(phase=Phase.ENTRY), 0.3))[1] == "A _ C"
-    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6)] == [
+    assert [words(page_of(told(phase=Phase.ENTRY), seconds))[2] for seconds in (0.0, 1.6, 3.1)] == [
         "FLIPPERS CHOOSE",
         "SPACE TAKES",
+        "OR TYPE THEM",
     ]
 
 

@@ -109,6 +109,21 @@ def test_no_ball_of_a_hundred_is_lost(detection: str) -> None:
 
 
 @pytest.mark.compiled
+def test_one_click_shows_tunnelling_within_seconds() -> None:
+    desk = Desk()
+    desk.do("launch many")
+    desk.change("paused", True)
+    desk.do("tunnelling")
+    for _ in range(60 * 3):
+        desk.advance(1)
+    discrete, continuous = desk.tables
+    assert (discrete.world.detection, continuous.world.detection) == ("discrete", "continuous")
+    assert (discrete.world.substeps, desk.settings.speed) == (1, 150)
+    assert (discrete.launched, discrete.strays) == (30, 30)
+    assert (continuous.launched, continuous.strays, continuous.in_play) == (30, 0, 30)
+
+
+@pytest.mark.compiled
 def test_side_by_side_the_discrete_table_loses_balls_and_the_continuous_one_none() -> None:
     desk = Desk()
     desk.change("detection", "both")

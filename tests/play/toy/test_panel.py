@@ -8,7 +8,9 @@ import pytest
 
 import carom
 from carom.draw import Layer
-from carom.play.toy.items import OPTIONS, ROWS, Slider
+from carom.play.toy.items import OPTIONS, ROWS, Buttons, Choice, Numbers, Slider
+from carom.play.toy.readout import LARGE, SIDE, wrapped
+from carom.play.toy.sentences import SENTENCES
 from carom.play.toy.settings import SHOWN
 from tests.play.toy.playing import Player
 
@@ -198,3 +200,37 @@ def test_the_words_of_buttons_fit(player: Player) -> None:
     letters = player.toy._letters
     for button in player.toy.panel._buttons:
         assert letters.width(button.text, 12) < button.rect.width - 4, button.text
+
+
+def test_every_control_and_figure_has_a_sentence_that_fits_the_strip(player: Player) -> None:
+    toy = player.toy
+    for name, place in toy.panel.places.items():
+        assert toy.panel.sentence(place.center) == SENTENCES[name]
+    named = {row.name for row in ROWS if isinstance(row, Slider | Choice)}
+    named |= {name for row in ROWS if isinstance(row, Buttons) for name, _ in row.buttons}
+    named |= {name for row in ROWS if isinstance(row, Numbers) for name, _ in row.figures}
+    chosen = {(name, value) for name, values in OPTIONS.items() for value in values}
+    assert named | chosen | {"load"} == set(SENTENCES)
+    for words in SENTENCES.values():
+        lines = wrapped(toy._letters, words, toy._strip.width - 2 * SIDE)
+        assert " ".join(lines) == words
+        assert len(lines) <= 3
+        assert all(toy._letters.width(line, LARGE) <= toy._strip.width - 2 * SIDE for line in lines)
+
+
+def test_the_sentence_is_that_of_the_control_under_the_pointer(player: Player) -> None:
+    def strip() -> bytes:
+        player.frames(1)
+        return pygame.image.tobytes(player.window.surface.subsurface(player.toy._strip), "RGB")
+
+    player.mouse(pygame.MOUSEMOTION, (5, 5))
+    nothing, seen = strip(), []
+    for name in (("restitution", "total"), "motion", "levels"):
+        player.mouse(pygame.MOUSEMOTION, player.toy.panel.places[name].center)
+        seen.append(strip())
+    assert len({nothing, *seen}) == 4
+    left = player.toy.panel._area.left
+    figures = {player.toy.panel.sentence((left + x, 90)) for x in (20, 90, 150, 220, 290)}
+    assert figures == {SENTENCES[name] for name in ("launched", "in play", "asleep", "strays", "overlaps")}
+    player.mouse(pygame.MOUSEMOTION, (5, 5))
+    assert strip() == nothing

@@ -32,7 +32,7 @@ def test_every_shipped_scene_is_found_and_has_a_line_about_it() -> None:
 
 def test_a_shipped_scene_has_a_title_and_a_picture_after_its_name() -> None:
     cradle = find("newtons_cradle")
-    assert (cradle.title, cradle.picture) == ("Newtons cradle", Path("newtons_cradle.svg"))
+    assert (cradle.title, cradle.picture) == ("Newton's cradle", Path("newtons_cradle.svg"))
 
 
 @pytest.mark.parametrize(("name", "told"), [("a scene", "a scene"), (None, "table")])

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from carom.draw.paint.painter import sides
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -45,6 +47,11 @@ class PagePainter:
     def arc(self, center: Vector, radius: float, start_angle: float, end_angle: float, style: Style) -> None:
         """Keep an arc."""
         self._keep("arc", style, [*center, radius, start_angle, end_angle])
+
+    def box(self, low: Vector, high: Vector, style: Style) -> None:
+        """Keep the sides of a box."""
+        for start, end in sides(low, high):
+            self.segment(start, end, style)
 
     def polyline(self, points: Points, style: Style) -> None:
         """Keep a line through points, or an area."""

@@ -63,8 +63,18 @@ class Painter(Lines, Protocol):
     def layer(self, name: str) -> None:
         """Begin the layer `name`: all marks up to the next call belong to it."""
 
+    def box(self, low: Vector, high: Vector, style: Style) -> None:
+        """Draw the four sides of an upright box between its lower left corner and its upper right one."""
+
     def polyline(self, points: Points, style: Style) -> None:
         """Draw a line through `points`, (n, 2); with a fill, the closed area that they bound."""
 
     def text(self, position: Vector, words: str, lettering: Lettering) -> None:
         """Write one line of `words` on the baseline through `position`."""
+
+
+def sides(low: Vector, high: Vector) -> tuple[tuple[Vector, Vector], ...]:
+    """The sides of an upright box, each from its start to its end, counterclockwise from the lower left corner."""
+    (left, bottom), (right, top) = low, high
+    corners = ((left, bottom), (right, bottom), (right, top), (left, top))
+    return tuple(zip(corners, (*corners[1:], corners[0]), strict=True))

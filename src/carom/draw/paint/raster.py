@@ -5,12 +5,12 @@ from __future__ import annotations
 import io
 from functools import lru_cache
 from itertools import pairwise
-from math import pi
+from math import ceil, pi, sqrt
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.draw.paint.painter import Style
+from carom.draw.paint.painter import Style, sides
 from carom.draw.paint.patches import (
     Extent,
     from_arc,
@@ -28,7 +28,7 @@ from carom.extras import needed
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Sequence
+    from collections.abc import Callable, Hashable, Iterable, Sequence
 
     from carom.draw.paint.painter import Lettering, Points, Vector
     from carom.draw.paint.patches import Colour, Distance, Patch
@@ -42,10 +42,12 @@ FINER_PLACES = 4
 #: What a quick painter draws as pygame does: faint lines, lines up to so many pixels wide, and areas with up to so many
 #: corners.
 QUICK_WIDTH, QUICK_CORNERS = 3.0, 4
-#: Pixels: how far apart the corners are of the line that a quick painter draws an arc as.
-QUICK_STEP = 5.0
+#: Pixels: how far inside of an arc the line may be that a quick painter draws it as.
+QUICK_SAGITTA = 0.15
 #: Letters are drawn so many times larger and made smaller, for fonts put small letters at whole pixels, unevenly apart.
 FINER_LETTERS = 4
+#: The edge of an area that is drawn quickly.
+EDGE = Style(width=1.0)
 #: The ink that faint lines are mixed with.
 GROUND = "stage"
 
@@ -72,6 +74,9 @@ class RasterPainter:
         self._pygame.font.init()
         self._frame = frame
         self._zoom = frame.zoom
+        self._scale = frame.scale * frame.zoom
+        self._left, self._top = frame.stage_left * frame.zoom, frame.stage_top * frame.zoom
+        self._stage_left, self._stage_top = frame.stage.left, frame.stage.top
         self.surface = self._pygame.Surface(frame.pixels)
         self._inks: dict[str, Colour] = {
             ink: (int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16))
@@ -91,8 +96,7 @@ class RasterPainter:
         """Draw a straight line."""
         a, b = self._pixel(*start), self._pixel(*end)
         if style.stroke is not None and self._is_quick(style):
-            for piece in dashes(a, b, style.dash, self._zoom):
-                self._quick_line(piece, style, style.stroke)
+            self._quick_lines(dashes(a, b, style.dash, self._zoom), style, style.stroke)
             return
 
         def made(colour: Colour, width: float) -> list[Patch]:
@@ -127,9 +131,12 @@ class RasterPainter:
         place, pixels = self._pixel(*center), radius * self._frame.scale * self._zoom
         sweep = (end_angle - start_angle) % (2.0 * pi)
         if style.stroke is not None and not style.dash and self._is_quick(style):
-            angles = start_angle + np.linspace(0.0, sweep, max(3, int(pixels * sweep / QUICK_STEP)))
+            # A chord over an angle a of a circle of radius r is r a²/8 inside of it.
+            pieces = ceil(sweep / sqrt(8.0 * QUICK_SAGITTA / max(pixels, 1.0)))
+            angles = start_angle + np.linspace(0.0, sweep, max(3, pieces + 1))
             xs, ys = place[0] + pixels * np.cos(angles), place[1] - pixels * np.sin(angles)
-            self._quick_line(list(zip(xs.tolist(), ys.tolist(), strict=True)), style, style.stroke)
+            places = list(zip(xs.tolist(), ys.tolist(), strict=True))
+            self._quick_lines(pairwise(places), style, style.stroke)
             return
 
         def made(colour: Colour, width: float) -> list[Patch]:
@@ -139,6 +146,22 @@ class RasterPainter:
 
         self._stroke(("arc", place, pixels, start_angle, end_angle), made, style, 2.0 * pixels)
 
+    def box(self, low: Vector, high: Vector, style: Style) -> None:
+        """Draw the sides of a box."""
+        (left, bottom), (right, top) = self._pixel(*low), self._pixel(*high)
+        size = round(right - left), round(bottom - top)
+        if style.stroke is None or not self._is_quick(style) or max(size) >= LARGEST_KEPT:
+            for start, end in sides(low, high):
+                self.segment(start, end, style)
+            return
+        key = ("box", size, style)
+        found = self._kept.get(key)
+        if found is None:
+            found = [(self._box_patch(size, style, style.stroke), 0, 0)]
+            self._keep(key, found)
+        rim = max(1, round(style.width * self._zoom))
+        self.surface.blit(found[0][0], (round(left) - rim, round(top) - rim))
+
     def polyline(self, points: Points, style: Style) -> None:
         """Draw a line through points; with a fill, the area that they bound."""
         places = self._pixels(points)
@@ -147,7 +170,7 @@ class RasterPainter:
         if style.stroke is not None:
             ends = places if style.fill is None else [*places, places[0]]
             if self.quick:
-                self._quick_line(ends, style, style.stroke)
+                self._quick_lines(pairwise(ends), style, style.stroke)
             else:
                 width, size = style.width * self._zoom, self.surface.get_size()
                 self._blit(polyline_patches(ends, width, self._inks[style.stroke], size), style.opacity)
@@ -176,15 +199,11 @@ class RasterPainter:
 
     def _pixel(self, x: float, y: float) -> Vector:
         """Where the world's point (x, y) lies, in pixels of the surface."""
-        pixel_x, pixel_y = self._frame.pixel(x, y)
-        return pixel_x * self._zoom, pixel_y * self._zoom
+        return self._left + (x - self._stage_left) * self._scale, self._top + (self._stage_top - y) * self._scale
 
     def _pixels(self, points: Points) -> list[Vector]:
         """The same for many points."""
-        frame, scale = self._frame, self._frame.scale * self._zoom
-        xs = (points[:, 0] - frame.stage.left) * scale + frame.stage_left * self._zoom
-        ys = (frame.stage.top - points[:, 1]) * scale + frame.stage_top * self._zoom
-        return list(zip(xs.tolist(), ys.tolist(), strict=True))
+        return [self._pixel(x, y) for x, y in points.tolist()]
 
     def _small_circle(self, x: float, y: float, radius: float, style: Style) -> None:
         """Draw a circle of which there may be many."""
@@ -193,12 +212,13 @@ class RasterPainter:
         whole_x, part_x = divmod(column, FINER_PLACES)
         whole_y, part_y = divmod(line, FINER_PLACES)
         key = ("circle", part_x, part_y, size, style)
-        if key not in self._kept:
-            found = self._circle_patches(part_x, part_y, 0.5 * size / FINER_PLACES, style)
-            for patch, _, _ in found:
+        kept = self._kept.get(key)
+        if kept is None:
+            kept = self._circle_patches(part_x, part_y, 0.5 * size / FINER_PLACES, style)
+            for patch, _, _ in kept:
                 patch.set_alpha(255, self._pygame.RLEACCEL)
-            self._keep(key, found)
-        for patch, left, top in self._kept[key]:
+            self._keep(key, kept)
+        for patch, left, top in kept:
             self.surface.blit(patch, (whole_x + left - LARGEST_KEPT, whole_y + top - LARGEST_KEPT))
 
     def _circle_patches(self, part_x: int, part_y: int, radius: float, style: Style) -> list[Patch]:
@@ -230,6 +250,9 @@ class RasterPainter:
     def _area(self, places: Sequence[Vector], style: Style, colour: Colour) -> None:
         """Fill the area within a line: whole pixels for a box that stands upright."""
         opacity = style.opacity * style.fill_opacity
+        if self.quick and style.fill is not None and opacity == 1.0 and len(places) < 4:
+            self._quick_area(places, style.fill)
+            return
         xs, ys = {x for x, _ in places}, {y for _, y in places}
         if len(places) == 4 and len(xs) == 2 and len(ys) == 2:
             left, right, top, bottom = round(min(xs)), round(max(xs)), round(min(ys)), round(max(ys))
@@ -242,8 +265,7 @@ class RasterPainter:
                 self._blit([(veil, box.left, box.top)], opacity)
             return
         if self.quick and style.fill is not None and opacity == 1.0 and len(places) <= QUICK_CORNERS:
-            self._pygame.draw.polygon(self.surface, colour, places)
-            self._quick_line([*places, places[0]], Style(width=1.0), style.fill)
+            self._quick_area(places, style.fill)
             return
         key = ("area", tuple(places), colour)
         found = self._kept.get(key)
@@ -256,13 +278,28 @@ class RasterPainter:
         """Whether a line of some style is to be drawn as pygame does."""
         return self.quick and (style.width <= QUICK_WIDTH or style.opacity < 1.0)
 
-    def _quick_line(self, places: Sequence[Vector], style: Style, ink: str) -> None:
-        """Draw a line as pygame does: of whole pixels' width, in the colour that it has on the stage."""
-        colour = self._mixed(ink, style.opacity)
+    def _quick_lines(self, pieces: Iterable[tuple[Vector, Vector]], style: Style, ink: str) -> None:
+        """Draw lines as pygame does: of whole pixels' width, in the colour that they have on the stage."""
+        colour, surface = self._mixed(ink, style.opacity), self.surface
         width = max(1, round(style.width * self._zoom))
         line = self._pygame.draw.aaline
-        for start, end in pairwise(places):
-            line(self.surface, colour, start, end, width)
+        for start, end in pieces:
+            line(surface, colour, start, end, width)
+
+    def _quick_area(self, places: Sequence[Vector], ink: str) -> None:
+        """Fill an area of few corners as pygame does, its edges smooth."""
+        self._pygame.draw.polygon(self.surface, self._inks[ink], places)
+        self._quick_lines(pairwise([*places, places[0]]), EDGE, ink)
+
+    def _box_patch(self, size: tuple[int, int], style: Style, ink: str) -> Any:
+        """The sides of a box of `size` pixels as a surface that is clear elsewhere, a line's width around it."""
+        width = max(1, round(style.width * self._zoom))
+        patch = self._pygame.Surface([side + 2 * width + 1 for side in size], self._pygame.SRCALPHA)
+        low, high = (width, size[1] + width), (size[0] + width, width)
+        for a, b in sides(low, high):
+            for start, end in dashes(a, b, style.dash, self._zoom):
+                self._pygame.draw.line(patch, self._mixed(ink, style.opacity), start, end, width)
+        return patch
 
     def _keep(self, key: Hashable, found: list[Patch]) -> None:
         """Remember patches, and forget all when they become too many."""
@@ -300,10 +337,11 @@ class RasterPainter:
 
 def dashes(start: Vector, end: Vector, dash: Sequence[float], zoom: float) -> list[tuple[Vector, Vector]]:
     """The drawn pieces of a line between two pixels."""
-    length = float(np.hypot(end[0] - start[0], end[1] - start[1]))
-    if not dash or length == 0.0:
+    if not dash or start == end:
         return [(start, end)]
-    across, down = (end[0] - start[0]) / length, (end[1] - start[1]) / length
+    across, down = end[0] - start[0], end[1] - start[1]
+    length = sqrt(across * across + down * down)
+    across, down = across / length, down / length
     return [
         ((start[0] + across * low, start[1] + down * low), (start[0] + across * high, start[1] + down * high))
         for low, high in spans(length, dash, zoom)

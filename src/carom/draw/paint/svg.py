@@ -6,6 +6,7 @@ from math import ceil, cos, pi, sin
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from carom.draw.paint.painter import sides
 from carom.draw.theme import DARK, LIGHT, THEMES, Theme, ThemeName
 from carom.spelling import spelled
 
@@ -80,6 +81,11 @@ class SvgPainter:
             # Counterclockwise with y up is SVG's sweep 0, with y down.
             path += f"A{radius_text} {radius_text} 0 0 0 {place}" if piece else f"M{place}"
         self._parts.append(f'<path d="{path}"/>')
+
+    def box(self, low: Vector, high: Vector, style: Style) -> None:
+        """Draw the sides of a box."""
+        for start, end in sides(low, high):
+            self.segment(start, end, style)
 
     def polyline(self, points: Points, style: Style) -> None:
         """Draw a line through points, closed where it is filled."""

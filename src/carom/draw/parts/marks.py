@@ -53,7 +53,13 @@ def long_arrow_mark(
         (neck_x + head * dx, neck_y + head * dy),
         (neck_x + half * dy, neck_y - half * dx),
     ]
-    painter.polyline(np.array(corners), Style(fill=style.stroke, opacity=style.opacity))
+    painter.polyline(np.array(corners), head_style(style.stroke, style.opacity))
+
+
+@lru_cache(maxsize=256)
+def head_style(ink: str | None, opacity: float) -> Style:
+    """The style of an arrow's head."""
+    return Style(fill=ink, opacity=opacity)
 
 
 def pivot_mark(painter: Painter, frame: Frame, position: Vector) -> None:
@@ -101,12 +107,11 @@ def reticle_mark(painter: Painter, frame: Frame, center: Vector, angle: float, o
 
 def box_mark(painter: Painter, box: Aabb, style: Style = BOX) -> None:
     """Draw a box: four lines, or the area where the style has a fill alone."""
-    corners = ((box.left, box.bottom), (box.right, box.bottom), (box.right, box.top), (box.left, box.top))
     if style.stroke is None:
+        corners = ((box.left, box.bottom), (box.right, box.bottom), (box.right, box.top), (box.left, box.top))
         painter.polyline(np.array(corners), style)
-        return
-    for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
-        painter.segment(start, end, style)
+    else:
+        painter.box((box.left, box.bottom), (box.right, box.top), style)
 
 
 def faded(style: Style, opacity: float) -> Style:

@@ -8,6 +8,7 @@ from carom.draw.history.tracks import BANDS, bands
 from carom.draw.parts.frame import MARGIN
 from carom.draw.parts.looks import MOVING, SENSOR, rounded
 from carom.draw.parts.marks import (
+    BOX,
     VELOCITY,
     ball_mark,
     box_mark,
@@ -16,7 +17,6 @@ from carom.draw.parts.marks import (
     track_style,
 )
 from carom.draw.parts.outlines import sector_mark, shape_mark, sign_mark
-from carom.shapes.aabb import Aabb
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -57,7 +57,7 @@ def draw_ball_boxes(painter: Painter, picture: Picture) -> None:
     balls = picture.moment.balls
     for (x, y), radius in zip(balls.centers.tolist(), balls.radii.tolist(), strict=True):
         if picture.frame.shows(x, y):
-            box_mark(painter, Aabb(x - radius, y - radius, x + radius, y + radius))
+            painter.box((x - radius, y - radius), (x + radius, y + radius), BOX)
 
 
 def draw_sectors(painter: Painter, shapes: Iterable[Drawn]) -> None:

@@ -17,6 +17,8 @@ class Action(StrEnum):
     FINE = auto()
     STRONGER = auto()
     WEAKER = auto()
+    PLACE_UP = auto()
+    PLACE_DOWN = auto()
     DRAW = auto()
     SHOOT = auto()
     CANCEL = auto()
@@ -40,6 +42,10 @@ KEYS = {
     pygame.K_RSHIFT: Action.FINE,
     pygame.K_UP: Action.STRONGER,
     pygame.K_DOWN: Action.WEAKER,
+    pygame.K_PAGEUP: Action.PLACE_UP,
+    pygame.K_PAGEDOWN: Action.PLACE_DOWN,
+    pygame.K_w: Action.PLACE_UP,
+    pygame.K_x: Action.PLACE_DOWN,
     pygame.K_SPACE: Action.DRAW,
     pygame.K_RETURN: Action.SHOOT,
     pygame.K_KP_ENTER: Action.SHOOT,
@@ -76,6 +82,7 @@ BUTTONS = {
 #: What the help says: the keys, the buttons of a controller, and what they do.
 HELP: tuple[tuple[str, str, str], ...] = (
     ("Mouse, Left and Right", "cross, stick", "aim; with Shift very finely"),
+    ("W and X, Page keys", "", "before the first shot: cue ball on the base line; or drag it"),
     ("Space or left button", "A", "shoot as the power says; hold: draw the cue, let go"),
     ("Backspace, right button", "B", "put the cue down again"),
     ("Up and Down, wheel", "cross, stick", "power"),
@@ -92,5 +99,6 @@ HELP: tuple[tuple[str, str, str], ...] = (
     ("F1 or H", "Back", "this help"),
     ("F2", "", "frame rate"),
     ("F11", "", "full screen"),
+    ("F12, PrtScr", "", "screenshot"),
     ("Esc", "", "quit"),
 )

@@ -62,11 +62,20 @@ class PoolApp:
         elif event.type == pygame.MOUSEWHEEL:
             self.session.change_power(POWER_NOTCH * event.y)
         elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
-            if event.button in MOUSE:
-                self._do(MOUSE[event.button], event.type == pygame.MOUSEBUTTONDOWN)
+            self._click(event)
         else:
             for action, down in self.controls.read(event):
                 self._do(action, down)
+
+    def _click(self, event: pygame.event.Event) -> None:
+        """Take a button of the mouse: the left one drags the cue ball where it may be put, else it draws the cue."""
+        down, session = event.type == pygame.MOUSEBUTTONDOWN, self.session
+        if event.button == LEFT_BUTTON and session.dragging and not down:
+            session.let_go()
+        elif event.button == LEFT_BUTTON and down and session.grab(self.view.layout.place(event.pos)):
+            return
+        elif event.button in MOUSE:
+            self._do(MOUSE[event.button], down)
 
     def _do(self, action: Action, down: bool) -> None:
         """Begin or end an action."""

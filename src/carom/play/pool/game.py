@@ -28,6 +28,9 @@ SLOWEST, FASTEST = 12.0, 420.0
 #: kg·cm/s: impacts weaker than this are touches that nobody sees or hears.
 LEAST_IMPULSE = 0.02
 
+#: Radii between the cue ball's centre and a cushion, and between those of both balls, where it is put by hand.
+ROOM = 2.1
+
 #: The layers of the shapes and of the two balls, so that a question to the world can leave balls out.
 SHAPES, CUE, EIGHT = 1, 2, 4
 
@@ -119,6 +122,34 @@ class Pool:
         self.potted.clear()
         self.moving = False
         self.shot_from = (setup.cue, setup.eight)
+
+    @property
+    def cloth(self) -> Vector:
+        """How wide and high the cloth is between the noses of the cushions, whose lower left corner is (0, 0)."""
+        segments = [shape for shape in self.world.shapes if isinstance(shape, carom.Segment)]
+        cushions = [shape for shape in segments if shape.name == "cushion"]
+        longest = sorted(cushions, key=lambda shape: -shape.length)[:6]
+        return max(shape.p0[0] for shape in longest), max(shape.p0[1] for shape in longest)
+
+    @property
+    def base_line(self) -> tuple[Vector, Vector] | None:
+        """The ends of the line, a quarter along the table, on which the cue ball may be put; None after a shot."""
+        if self.shots > 0 or self.phase is not Phase.AIM:
+            return None
+        (width, height), room = self.cloth, ROOM * self.cue.radius
+        return (0.25 * width, room), (0.25 * width, height - room)
+
+    def put_cue(self, height: float) -> None:
+        """Put the cue ball on the base line, as high as that allows, not upon the eight; not after a shot."""
+        line = self.base_line
+        if line is None:
+            return
+        (x, low), (_, high) = line
+        place = x, min(max(height, low), high)
+        if hypot(place[0] - self.eight.position[0], place[1] - self.eight.position[1]) >= ROOM * self.cue.radius:
+            self.cue.position = place
+            self.setup = Setup(place, self.setup.eight)
+            self.shot_from = (place, self.setup.eight)
 
     @property
     def over(self) -> bool:

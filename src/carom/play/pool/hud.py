@@ -30,6 +30,7 @@ BELOW = 654
 PANEL: Colour = (16, 19, 24)
 
 KEYS_LINE = "Mouse or Left, Right: aim   ·   Up, Down: power   ·   click or Space: shoot; hold: draw the cue"
+FIRST_LINE = "Mouse: aim   ·   wheel: power   ·   drag the cue ball, or W, X: base line   ·   click or Space: shoot"
 MODES_LINE = "C: collision mode   ·   S: step mode   ·   R: again   ·   F1: help"
 
 
@@ -62,7 +63,8 @@ class Hud:
 
     def _bottom(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
         """Say which keys there are, and how fast frames are."""
-        self.letters.draw(surface, KEYS_LINE, (36, 689), 13, MUTED)
+        keys = KEYS_LINE if session.pool.base_line is None else FIRST_LINE
+        self.letters.draw(surface, keys, (36, 689), 13, MUTED)
         right = MODES_LINE
         if Mode.RATE in session.modes:
             right = f"{meter.rate:.0f} frames a second, {1e3 * meter.work:.1f} ms of work each"

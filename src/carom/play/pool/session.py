@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from math import atan2, cos, pi, radians, sin
+from math import atan2, cos, hypot, pi, radians, sin
 from typing import TYPE_CHECKING
 
 from carom.play.pool import setups
@@ -22,6 +22,9 @@ TURN, FINE_TURN, TURN_AFTER = radians(24.0), radians(1.0), 0.25
 
 #: How far the power goes at a press, and how fast a second while a key is held.
 POWER_NOTCH, POWER_RATE = 0.02, 0.5
+
+#: cm: how far the cue ball is put at a press, and how far a second while a key is held.
+PLACE_NOTCH, PLACE_RATE = 0.5, 30.0
 
 #: Seconds: what is held no longer than that is a click, which draws no cue; and how long the cue takes to be drawn back
 #: wholly from then on, where it stays.
@@ -68,6 +71,7 @@ class Session:
         self.held: dict[Action, float] = {}
         self.power = FIRST_POWER
         self.draw: float | None = None
+        self.dragging = False
         self.since_shot = self.since_end = 10.0
         self._pointer: Vector | None = None
         self._seen: tuple[tuple[float, Phase, int, Setup], Preview | None] | None = None
@@ -81,10 +85,34 @@ class Session:
         return cos(self.angle), sin(self.angle)
 
     def point(self, place: Vector) -> None:
-        """Aim at a place of the table, unless the cue is drawn already."""
+        """Aim at a place of the table, unless the cue is drawn already; put the cue ball there while it is dragged."""
+        if self.dragging:
+            self.pool.put_cue(place[1])
+            return
         self._pointer = place
         if self.draw is None and self.pool.phase is Phase.AIM:
             self._aim(place)
+
+    def grab(self, place: Vector) -> bool:
+        """Whether the cue ball is dragged from now on: at a place on it, before the first shot."""
+        x, y = self.pool.cue.position
+        near = hypot(place[0] - x, place[1] - y) <= self.pool.cue.radius
+        self.dragging = near and self.pool.base_line is not None and Mode.PAUSE not in self.modes
+        return self.dragging
+
+    def let_go(self) -> None:
+        """Leave the cue ball where it was put, and aim at the eight from there."""
+        self.dragging = False
+        self._aim_at_eight()
+
+    def _place(self, change: float) -> None:
+        """Put the cue ball so much farther up its line, and go on aiming where the mouse is, or at the eight."""
+        if self.pool.base_line is not None and Mode.PAUSE not in self.modes:
+            self.pool.put_cue(self.pool.cue.position[1] + change)
+            if self._pointer is not None:
+                self._aim(self._pointer)
+            else:
+                self._aim_at_eight()
 
     def _aim(self, place: Vector) -> None:
         """Aim at a place that is not within the cue ball's middle."""
@@ -139,6 +167,8 @@ class Session:
             Action.TURN_RIGHT: lambda _: self._turn(-self._notch()),
             Action.STRONGER: lambda _: self.change_power(POWER_NOTCH),
             Action.WEAKER: lambda _: self.change_power(-POWER_NOTCH),
+            Action.PLACE_UP: lambda _: self._place(PLACE_NOTCH),
+            Action.PLACE_DOWN: lambda _: self._place(-PLACE_NOTCH),
             Action.DRAW: lambda _: self._draw_cue(),
             Action.SHOOT: lambda _: self._shoot_or_again(),
             Action.CANCEL: lambda _: self._put_down(),
@@ -195,6 +225,7 @@ class Session:
             self.number = number
             setups.setup(self.pool, number, self.seed)
         self.draw = None
+        self.dragging = False
         self.since_shot = 10.0
         self._aim_at_eight()
 
@@ -232,6 +263,9 @@ class Session:
         for action, side in ((Action.STRONGER, 1.0), (Action.WEAKER, -1.0)):
             if self.held.get(action, 0.0) > TURN_AFTER:
                 self.change_power(side * POWER_RATE * STEP)
+        for action, side in ((Action.PLACE_UP, 1.0), (Action.PLACE_DOWN, -1.0)):
+            if self.held.get(action, 0.0) > TURN_AFTER:
+                self._place(side * PLACE_RATE * STEP)
 
     def _steps(self, count: int) -> None:
         """Let the balls roll on for a number of steps."""

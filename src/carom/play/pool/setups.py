@@ -91,7 +91,7 @@ def setup(pool: Pool, number: int, seed: int = 0) -> Setup:
         pool.place(FIRST)
         return FIRST
     random = np.random.default_rng((seed, number))
-    width, height = _cloth(pool)
+    width, height = pool.cloth
     while True:
         cue, eight = (_place(random, width, height) for _ in range(2))
         if hypot(cue[0] - eight[0], cue[1] - eight[1]) < APART:
@@ -99,13 +99,6 @@ def setup(pool: Pool, number: int, seed: int = 0) -> Setup:
         pool.place(Setup(cue, eight))
         if winning(pool) is not None:
             return pool.setup
-
-
-def _cloth(pool: Pool) -> Vector:
-    """How wide and high the cloth is between the noses of the cushions, whose lower left corner is (0, 0)."""
-    cushions = [shape for shape in pool.world.shapes if isinstance(shape, carom.Segment) and shape.name == "cushion"]
-    longest = sorted(cushions, key=lambda shape: -shape.length)[:6]
-    return max(shape.p0[0] for shape in longest), max(shape.p0[1] for shape in longest)
 
 
 def _place(random: np.random.Generator, width: float, height: float) -> Vector:

@@ -41,6 +41,9 @@ SUNK_SIZE, SUNK_LIGHT = 0.86, 0.34
 #: Pixels: a ball that went farther than this between two frames was put somewhere else.
 JUMP = 400.0
 
+#: The colour of the line on which the cue ball may be put.
+CLOTH_LINE = (190, 226, 214)
+
 #: The colours of what belongs to the eight, and to the cue ball.
 EIGHT_LINE, CUE_LINE = GOLD, IVORY
 
@@ -73,6 +76,9 @@ class View:
         shown = session.preview()
         if Mode.IMPACTS in session.modes:
             self._draw_paths(surface, session)
+        line = session.pool.base_line
+        if line is not None and session.dragging:
+            self._dash(surface, self.layout.pixel(line[0]), self.layout.pixel(line[1]), CLOTH_LINE, 0.0, 0.0)
         if shown is not None:
             self._draw_aim(surface, session.pool, shown, session.strength)
         if session.pool.over:

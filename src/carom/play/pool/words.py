@@ -40,6 +40,8 @@ def detail(session: Session) -> str:
         return impact_line(pool.marks[-1])
     if pool.phase is Phase.ROLL:
         return "Now the cue ball must stay on the table" if pool.eight.name in pool.potted else "Hold Space to hurry"
+    if session.dragging:
+        return "Let the cue ball go where it is to lie on the base line"
     return outlook(pool, session.preview(), session.strength)
 
 

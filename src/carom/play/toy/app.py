@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
+from math import radians
+from types import MappingProxyType
+from typing import Any
 
 import pygame
 
@@ -18,7 +21,7 @@ from carom.play.toy.help import draw_help
 from carom.play.toy.keys import BUTTONS, KEYS
 from carom.play.toy.panel import Panel
 from carom.play.toy.probe import Reading, ball_at, read, shape_at
-from carom.play.toy.readout import draw_reading
+from carom.play.toy.readout import EDITING, HINTS, draw_reading, draw_sentence
 from carom.play.toy.script import load_script
 from carom.play.toy.settings import Settings
 from carom.play.toy.sounds import tick, ticks
@@ -29,6 +32,13 @@ from carom.play.window import RATE, Ticker, play
 
 #: Pixels: the window, and the panel and the strip in it.
 SIZE, PANEL, STRIP = (1280, 800), 364, 92
+
+#: What each edit turns a shape by, in radians; nothing for those that do something else.
+EDITS: Mapping[str, float] = MappingProxyType(
+    {"add": 0.0, "take away": 0.0, "turn left": radians(5.0), "turn right": radians(-5.0)}
+)
+#: The mouse's buttons, and for how many seconds it is said where a table was kept.
+LEFT, RIGHT, TOLD = 1, 3, 5.0
 
 
 class Toy:
@@ -58,6 +68,7 @@ class Toy:
         self._seen: Settings | None = None
         self.views: tuple[View, ...] = ()
         self._told: tuple[View, ...] = ()
+        self._told_last, self._told_left = "", 0.0
 
     @cached_property
     def panel(self) -> Panel:
@@ -83,35 +94,86 @@ class Toy:
         if event.type == pygame.MOUSEBUTTONDOWN and not self.panel.holds(event.pos):
             self._grasp(event)
             return
+        if event.type == pygame.MOUSEWHEEL and self.desk.settings.editing:
+            self._edit("turn left" if event.y > 0 else "turn right")
         if event.type == pygame.MOUSEMOTION:
             self._point(event.pos)
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
-            self.desk.hand.throw(self.desk.tables)
+            self._let_go()
         self.panel.handle(event)
 
     def _press(self, name: str) -> None:
         """Do what a key says; the key that quits closes the help first."""
+        if name in EDITS:
+            self._edit(name)
+            return
         self.desk.press("help" if name == "quit" and self.desk.help else name)
 
     def _grasp(self, event: pygame.event.Event) -> None:
-        """Take hold of the ball under the mouse; a click closes the help."""
+        """Take hold of the ball under the mouse, or of what is edited there; a click closes the help."""
         self._mouse = event.pos
         if self.desk.help:
             self.desk.do("help")
             return
         view = self._view_at(event.pos)
-        if view is not None and event.button == 1:
+        if self.desk.settings.editing:
+            self._grasp_shape(event.button)
+        elif view is not None and event.button == 1:
             place = view.place(event.pos)
             ball = ball_at(view.table.world, place, view.reach)
             if ball is not None:
                 self._grip = view
                 self.desk.hand.take(ball, place)
 
+    def _grasp_shape(self, button: int) -> None:
+        """Take hold of what is under the mouse, or add something where nothing is; the right button takes it away."""
+        view = self._view_at(self._mouse)
+        thing = None if view is None else self._under(view)
+        if button == RIGHT:
+            self._edit("take away")
+        elif button == LEFT and view is not None and thing is not None:
+            self._grip = view
+            self.desk.editor.take(thing, view.place(self._mouse))
+        elif button == LEFT:
+            self._edit("add")
+
+    def _edit(self, name: str) -> None:
+        """Change the table at the mouse, if it is there and the table is being edited."""
+        view, desk = self._view_at(self._mouse), self.desk
+        if view is None or not desk.settings.editing:
+            return
+        thing = self._under(view)
+        if name == "add":
+            desk.editor.add(desk.tables, desk.settings.kind, view.place(self._mouse), desk.settings.size)
+        elif thing is not None and name == "take away":
+            desk.editor.remove(desk.tables, thing)
+        elif thing is not None:
+            desk.editor.turn(desk.tables, thing, EDITS[name])
+        self._renew()
+
+    def _under(self, view: View) -> Any:
+        """The shape or ball under the mouse, or None."""
+        return shape_at(view.table.world, view.place(self._mouse), view.reach)
+
+    def _let_go(self) -> None:
+        """Throw the ball that is held, or leave the shape that is dragged where it is."""
+        self.desk.hand.throw(self.desk.tables)
+        if self.desk.editor.held is not None:
+            self.desk.editor.drop(self.desk.tables)
+            self._renew()
+
+    def _renew(self) -> None:
+        """Show the tables as they were changed."""
+        for view in self.views:
+            view.renew()
+
     def _point(self, pixel: tuple[int, int]) -> None:
         """Take the mouse to be somewhere else now."""
         self._mouse = pixel
         if self.desk.hand.ball is not None and self._grip is not None:
             self.desk.hand.move(self._grip.place(pixel))
+        if self.desk.editor.held is not None and self._grip is not None:
+            self.desk.editor.move(self.desk.tables, self._grip.place(pixel))
 
     def _view_at(self, pixel: tuple[int, int]) -> View | None:
         """The table that a pixel is on, or None."""
@@ -126,6 +188,9 @@ class Toy:
         parts = self.desk.advance(self._ticker.due(seconds))
         for place, hits in enumerate(parts):
             self.views[place % len(self.views)].note(hits)
+        if self.desk.told != self._told_last:
+            self._told_last, self._told_left = self.desk.told, TOLD
+        self._told_left -= seconds
         self._speaker.muted = self.desk.settings.muted
         tick(self._speaker, parts)
         self._count(seconds)
@@ -172,10 +237,19 @@ class Toy:
         for view in self.views:
             view.draw(surface)
         self._draw_hand(surface)
-        draw_reading(surface, self._letters, self._strip, self._pointed_at(surface))
+        self._draw_strip(surface)
         if self.desk.help:
             draw_help(surface, self._letters, self._stage)
         self.panel.draw(surface)
+
+    def _draw_strip(self, surface: pygame.Surface) -> None:
+        """Draw what was kept where, or what the control under the mouse means, or the numbers of the shape there."""
+        words = self.desk.told if self._told_left > 0.0 else self.panel.sentence(self._mouse)
+        if words:
+            draw_sentence(surface, self._letters, self._strip, words)
+        else:
+            hints = EDITING if self.desk.settings.editing else HINTS
+            draw_reading(surface, self._letters, self._strip, self._pointed_at(surface), hints)
 
     def _draw_beside(self, surface: pygame.Surface) -> None:
         """Draw what is around two tables."""
@@ -198,7 +272,7 @@ class Toy:
         if view is None or self.desk.help:
             return None
         held = self.desk.hand.held([view.table])
-        shape = held[0] if held else shape_at(view.table.world, view.place(self._mouse), view.reach)
+        shape = held[0] if held else self._under(view)
         if shape is None:
             return None
         view.mark(surface, shape)

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import MappingProxyType
 from typing import Any
 
+import platformdirs
+
 import carom
+from carom.play import files
+from carom.play.toy.editor import Editor
 from carom.play.toy.hand import Hand
 from carom.play.toy.items import OPTIONS
 from carom.play.toy.lane import Lane
@@ -22,6 +28,11 @@ KINDS: Mapping[str, tuple[Detection, ...]] = MappingProxyType(
     {"discrete": ("discrete",), "continuous": ("continuous",), BOTH: ("discrete", "continuous")}
 )
 
+#: What the settings are for a show of tunnelling: a ball at this speed moves by five of its radii an iteration.
+TUNNELLING: Mapping[str, Any] = MappingProxyType(
+    {"detection": BOTH, "motion": 1, "speed": 150, "size": 0.5, "count": 30, "pace": 1, "restitution": "normal"}
+)
+
 
 class Desk:
     """What the panel's switches act on.
@@ -34,6 +45,8 @@ class Desk:
         running: False once the toy is to be closed.
         help: Whether the help is shown.
         cleared: Whether the tables were cleared since this was last set to False.
+        editor: What changes the tables.
+        told: What there is to be said of a file that was kept; "" until then.
     """
 
     def __init__(self) -> None:
@@ -44,11 +57,15 @@ class Desk:
         self.running = True
         self.help = False
         self.cleared = False
+        self.editor = Editor()
+        self.told = ""
         self._actions: dict[str, Callable[[], None]] = {
             "launch": lambda: self._launch(1),
             "launch many": lambda: self._launch(self.settings.count),
             "clear": self._clear,
             "step": self._single,
+            "tunnelling": self._show_tunnelling,
+            "save": self._save,
             "help": self._show_help,
             "quit": self._quit,
         }
@@ -78,7 +95,7 @@ class Desk:
                 ACTS[name](table.world, value)
 
     def do(self, name: str) -> None:
-        """Do what a button says: `launch`, `launch many`, `clear`, `step`, `help` or `quit`."""
+        """Do what a button says: `launch`, `clear`, `step` and so on, by their names in `_actions`."""
         self._actions[name]()
 
     def press(self, name: str) -> None:
@@ -130,6 +147,24 @@ class Desk:
             other.become(first)
             other.world.detection = kind
 
+    def _show_tunnelling(self) -> None:
+        """Send the same fast balls onto a discrete table and a continuous one, with one motion iteration."""
+        self.change("paused", False)
+        self.change("editing", False)
+        for name, value in TUNNELLING.items():
+            self.change(name, value)
+        self._clear()
+        self._launch(self.settings.count)
+
+    def _save(self) -> None:
+        """Keep the first table, as it stands, as a scene file that no other is lost to."""
+        with TemporaryDirectory() as folder:
+            path = Path(folder) / "table.toml"
+            carom.Scene.from_world(self.tables[0].world).save(path)
+            content = path.read_bytes()
+        folders = files.existing(platformdirs.user_documents_path())
+        self.told = "table " + files.keep(folders, "carom-table-{}.toml", content)
+
     def _single(self) -> None:
         """Stop time, and let one step go by."""
         self.settings.paused = True
@@ -146,8 +181,10 @@ class Desk:
     def advance(self, frames: int) -> Sequence[carom.Hits]:
         """The hits of each table in `frames` frames, of which none goes by in a pause but for single steps.
 
-        In slow motion a frame is a shorter step, not a rarer one.
+        In slow motion a frame is a shorter step, not a rarer one. While the table is edited, nothing goes by.
         """
+        if self.settings.editing:
+            return []
         if self.settings.paused:
             frames, self._single_steps = self._single_steps, 0
         parts: list[carom.Hits] = []

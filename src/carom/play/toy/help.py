@@ -9,7 +9,7 @@ from carom.play.toy import colours
 from carom.play.toy.keys import HELP
 
 #: Pixels: of the sheet, its columns, and from line to line.
-WIDTH, HEIGHT, COLUMN, KEYS, LINE = 720, 480, 340, 92, 24
+WIDTH, HEIGHT, COLUMN, KEYS, LINE = 760, 600, 370, 92, 24
 LARGE, SMALL = 22, 13
 #: Which of the groups stand in the left column.
 LEFT = 3

@@ -22,6 +22,14 @@ KEYS: Mapping[int, str] = {
     pygame.K_d: "detection",
     pygame.K_b: "broad_phase",
     pygame.K_t: "restitution",
+    pygame.K_u: "tunnelling",
+    pygame.K_e: "editing",
+    pygame.K_k: "kind",
+    pygame.K_v: "save",
+    pygame.K_a: "add",
+    pygame.K_x: "take away",
+    pygame.K_COMMA: "turn left",
+    pygame.K_PERIOD: "turn right",
     pygame.K_F1: "help",
     pygame.K_h: "help",
     pygame.K_ESCAPE: "quit",
@@ -52,6 +60,18 @@ HELP: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
         ),
     ),
     (
+        "Edit the table",
+        (
+            ("E", "edit, and play again"),
+            ("Mouse", "drag a shape to move it"),
+            (", and .", "turn what is pointed at; the wheel too"),
+            ("A", "add there; so does a click beside all"),
+            ("K", "wall, arc, disc, post, ball"),
+            ("X", "take away; the right button too"),
+            ("V", "save the table as a scene file"),
+        ),
+    ),
+    (
         "Time and sound",
         (
             ("P", "pause, and on again"),
@@ -76,13 +96,12 @@ HELP: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
     (
         "Who tunnels?",
         (
-            ("D", "twice: two tables side by side"),
-            ("", "motion iterations down to 1"),
-            ("N", "at the highest speed"),
+            ("U", "two tables, the same 30 fast balls"),
+            ("", "with one motion iteration"),
         ),
     ),
     (
         "Window",
-        (("F1 or H", "this help"), ("F11", "full screen"), ("Esc", "quit")),
+        (("F1 or H", "this help"), ("F11", "full screen"), ("F12", "screenshot (or PrtScr)"), ("Esc", "quit")),
     ),
 )

@@ -12,11 +12,12 @@ from carom.play.letters import Letters
 from carom.play.toy import colours
 from carom.play.toy.desk import Desk
 from carom.play.toy.items import ROWS, Buttons, Choice, Gauge, Heading, Numbers, Row, Slider
+from carom.play.toy.sentences import SENTENCES
 
 #: Pixels: the space at the sides, between buttons, and from where on a row's slider or buttons stand.
 SIDE, GAP, LABELS, VALUES = 16, 5, 96, 40
 #: Pixels that each kind of row is high, and its buttons or slider in it.
-HEIGHTS: Mapping[type, int] = {Gauge: 52, Heading: 32, Numbers: 40, Slider: 24, Choice: 29, Buttons: 30}
+HEIGHTS: Mapping[type, int] = {Gauge: 48, Heading: 28, Numbers: 36, Slider: 22, Choice: 28, Buttons: 29}
 BUTTON, TRACK = 24, 14
 #: Letters: what a button of a choice is wider than its words.
 SPARE = 5
@@ -121,6 +122,23 @@ class Panel:
         """Whether a place in the window is on the panel."""
         return bool(self._area.collidepoint(place))
 
+    def sentence(self, place: tuple[int, int]) -> str:
+        """What the control or the figure at a place in the window means; "" where there is none."""
+        if not self.holds(place):
+            return ""
+        x, y = place[0] - self._area.left, place[1] - self._area.top
+        row = next((row for row, top in self._rows if top <= y < top + HEIGHTS[type(row)]), None)
+        on = next((meaning for button, meaning in self._buttons.items() if button.rect.collidepoint(x, y)), None)
+        if on is not None:
+            name, value = on
+            return SENTENCES[name if value is None else (name, value)]
+        if isinstance(row, Numbers):
+            part = int((x - SIDE) * len(row.figures) / (self._area.width - 2 * SIDE))
+            return SENTENCES[row.figures[min(max(part, 0), len(row.figures) - 1)][0]]
+        if isinstance(row, Slider | Choice):
+            return SENTENCES[row.name]
+        return SENTENCES["load"] if isinstance(row, Gauge) else ""
+
     def handle(self, event: pygame.event.Event) -> None:
         """Take an event of the window."""
         if event.type == pygame_gui.UI_BUTTON_PRESSED and event.ui_element in self._buttons:
@@ -212,9 +230,9 @@ class Panel:
         pygame.draw.rect(self._picture, colour, filled, border_radius=3)
 
     def _draw_heading(self, row: Heading, y: int) -> None:
-        self._letters.draw(self._picture, row.words, (SIDE, y + 12), SMALL, colours.ACCENT)
+        self._letters.draw(self._picture, row.words, (SIDE, y + 9), SMALL, colours.ACCENT)
         left = SIDE + self._letters.width(row.words, SMALL) + 10
-        pygame.draw.line(self._picture, colours.RULE, (left, y + 19), (self._area.width - SIDE, y + 19))
+        pygame.draw.line(self._picture, colours.RULE, (left, y + 16), (self._area.width - SIDE, y + 16))
 
     def _draw_numbers(self, row: Numbers, y: int) -> None:
         width = (self._area.width - 2 * SIDE) / len(row.figures)
@@ -223,7 +241,7 @@ class Panel:
             text = self._texts.get(name, "")
             colour = colours.BAD if name == "strays" and text.strip("0 ·") else colours.TEXT
             self._letters.draw(self._picture, text, (x, y + 2), LARGE, colour)
-            self._letters.draw(self._picture, words, (x, y + 21), SMALL - 2, colours.FAINT)
+            self._letters.draw(self._picture, words, (x, y + 20), SMALL - 2, colours.FAINT)
 
     def _draw_slider(self, row: Slider, y: int) -> None:
         self._label(row.words, y + 3)

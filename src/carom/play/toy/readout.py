@@ -6,11 +6,21 @@ import pygame
 
 from carom.play.letters import Letters
 from carom.play.toy import colours
-from carom.play.toy.probe import Reading
+from carom.play.toy.probe import Pairs, Reading
 
 SIDE, SMALL, LARGE = 18, 11, 14
 #: Pixels: the widths between numbers, and from a line to the next.
 GAP, LINE = 18, 32
+#: What is drawn instead of numbers while the table is edited and nothing is pointed at.
+EDITING = (
+    ("drag a shape", "move it"),
+    ("wheel, or , and .", "turn it"),
+    ("click beside all, or A", "add one"),
+    ("right button, or X", "take it away"),
+    ("K", "what is added"),
+    ("V", "save the table"),
+    ("E", "play on"),
+)
 HINTS = (
     ("Space", "launch a ball"),
     ("drag a ball", "throw it"),
@@ -20,11 +30,13 @@ HINTS = (
 )
 
 
-def draw_reading(surface: pygame.Surface, letters: Letters, area: pygame.Rect, reading: Reading | None) -> None:
+def draw_reading(
+    surface: pygame.Surface, letters: Letters, area: pygame.Rect, reading: Reading | None, hints: Pairs = HINTS
+) -> None:
     """Draw numbers, or hints where there are none."""
     surface.fill(colours.PAPER, area)
     x, y = area.left + SIDE, area.top + 8
-    title, pairs = ("", HINTS) if reading is None else (reading.title, reading.pairs)
+    title, pairs = ("", hints) if reading is None else (reading.title, reading.pairs)
     if title:
         letters.draw(surface, title, (x, y), LARGE, colours.ACCENT)
         y += 22
@@ -37,3 +49,21 @@ def draw_reading(surface: pygame.Surface, letters: Letters, area: pygame.Rect, r
         letters.draw(surface, label, (x, y), SMALL, colours.FAINT)
         letters.draw(surface, number, (x, y + 13), LARGE - 2, colours.TEXT)
         x += width + GAP
+
+
+def draw_sentence(surface: pygame.Surface, letters: Letters, area: pygame.Rect, words: str) -> None:
+    """Draw a sentence in as few lines as hold it."""
+    surface.fill(colours.PAPER, area)
+    for number, line in enumerate(wrapped(letters, words, area.width - 2 * SIDE)):
+        letters.draw(surface, line, (area.left + SIDE, area.top + 16 + 22 * number), LARGE, colours.TEXT)
+
+
+def wrapped(letters: Letters, words: str, width: int) -> list[str]:
+    """Words in lines of at most so many pixels."""
+    lines: list[str] = []
+    for word in words.split():
+        if lines and letters.width(f"{lines[-1]} {word}", LARGE) <= width:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines

@@ -41,6 +41,8 @@ class Settings:
         muted: Whether there is no sound.
         rotating: Whether the parts that can turn do.
         paused: Whether time stands still but for single steps.
+        editing: Whether the table is being changed, while time stands still.
+        kind: What is added to it then: `segment`, `arc`, `circle`, `point` or `ball`.
         layers: What is drawn.
     """
 
@@ -60,6 +62,8 @@ class Settings:
     muted: bool = False
     rotating: bool = False
     paused: bool = False
+    editing: bool = False
+    kind: str = "segment"
     layers: frozenset[Layer] = field(default=draw.DEFAULT_LAYERS)
 
 

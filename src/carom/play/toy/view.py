@@ -66,6 +66,13 @@ class View:
         """Forget tracks and hits."""
         self._live.forget()
 
+    def renew(self) -> None:
+        """Look at the shapes anew, which were changed."""
+        self.figures = Figures(self.table)
+        self._largest = -1.0
+        self._live.refresh()
+        self.measure()
+
     def look(self, settings: Settings) -> None:
         """Show what the settings say, where that is not what is shown."""
         shown = (settings.layers, settings.broad_phase, settings.levels)

@@ -5,6 +5,7 @@ import pytest
 
 import carom
 from carom import draw
+from carom.draw.paint.painter import sides
 from carom.draw.parts.frame import Frame
 from carom.draw.theme import LIGHT
 from carom.shapes.aabb import Aabb
@@ -107,6 +108,36 @@ def test_a_quick_line_is_where_the_fine_one_is() -> None:
         made.polyline(np.array([(1.0, 6.0), (3.0, 8.0), (1.0, 8.0)]), BLACK)
     assert cover(quick).sum() == pytest.approx(cover(fine).sum(), rel=0.25)
     assert np.abs(blurred(cover(quick)) - blurred(cover(fine))).max() < 0.3
+
+
+@pytest.mark.parametrize("radius", [0.3, 0.57, 4.0])
+def test_a_quick_arc_is_round_however_small(radius: float) -> None:
+    made = painter(quick=True)
+    made.arc((10.0, 5.0), radius, 0.3, 0.3 + np.pi, draw.Style("text", width=1.0))
+    across, down = np.nonzero(cover(made) > 0.3)
+    off = np.hypot(across + 0.5 - 100.0, down + 0.5 - 50.0) - 10.0 * radius
+    assert np.abs(off).max() < 1.6, "its corners are no farther off the arc than a smooth line is wide"
+
+
+@pytest.mark.parametrize("dash", [(), (3.0, 3.0)])
+@pytest.mark.parametrize("zoom", [1.0, 2.0])
+def test_the_sides_of_a_box_are_four_segments_quick_or_fine(dash: tuple[float, ...], zoom: float) -> None:
+    style = draw.Style("text", width=1.0, dash=dash, opacity=0.6)
+    for low, high in (((2.0, 1.5), (5.0, 4.0)), ((7.03, 2.27), (9.02, 8.26)), ((10.0, 1.0), (19.9, 9.0))):
+        fine, segments, quick = painter(zoom), painter(zoom), painter(zoom, quick=True)
+        for made in (fine, quick, quick):
+            made.box(low, high, style)
+        for start, end in sides(low, high):
+            segments.segment(start, end, style)
+        assert np.array_equal(cover(fine), cover(segments))
+        # What is quick stands on whole pixels, and is opaque in the colour that it has on the stage.
+        (left, bottom), (right, top) = (np.array(corner) * 10.0 * zoom for corner in (low, high))
+        xs, ys = np.nonzero(cover(quick) > 0.05)
+        assert (xs.min(), xs.max()) == pytest.approx((left, right), abs=zoom)
+        assert (ys.min(), ys.max()) == pytest.approx((100.0 * zoom - top, 100.0 * zoom - bottom), abs=zoom)
+        assert cover(quick)[xs.min() + 4 : xs.max() - 3, ys.min() + 4 : ys.max() - 3].max() == 0.0
+        # pygame's smooth lines, which large boxes are made of, are wider by up to half a pixel.
+        assert cover(quick).sum() == pytest.approx(cover(fine).sum(), rel=0.3)
 
 
 def test_areas_are_filled_boxes_to_the_pixel() -> None:

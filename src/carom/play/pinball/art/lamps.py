@@ -120,7 +120,7 @@ def _signs() -> dict[str, Lens]:
         name: _disc((MIDDLE + (number - 1.5) * 1.3, y), 0.52, (GOLD, GOLD, CORAL, CORAL)[number], name.upper(), 0.8)
         for number, (name, y) in enumerate(zip(lamps.MULTIPLIERS, MULTIPLIER_HEIGHTS, strict=True))
     }
-    found["shoot again"] = _disc((MIDDLE, 10.35), 0.7, CORAL, "SHOOT\nAGAIN", 0.44)
+    found["shoot again"] = _disc((MIDDLE, 10.35), 0.7, CORAL, "SHOOT\nAGAIN", 0.47)
     for name, x, colour, word in (
         ("multiball", MIDDLE - 1.25, TEAL, "MULTI\nBALL"),
         ("jackpot", MIDDLE + 1.25, GOLD, "JACK\nPOT"),
@@ -141,9 +141,10 @@ def paint_unlit(canvas: Canvas, found: Mapping[str, Lens]) -> None:
     for lens in found.values():
         canvas.fill(lens.grown(0.13), CREAM)
         canvas.fill(lens.grown(0.05), NIGHT)
-        canvas.fill(lens.outline, mixed(lens.colour, NIGHT, 0.66))
-        _facets(canvas, lens, mixed(lens.colour, NIGHT, 0.5))
-        _inscribe(canvas, lens, mixed(lens.colour, CREAM, 0.35))
+        # Under words it is darker, for these are to be read before the lamp is ever lit.
+        canvas.fill(lens.outline, mixed(lens.colour, NIGHT, 0.78 if lens.word else 0.66))
+        _facets(canvas, lens, mixed(lens.colour, NIGHT, 0.72 if lens.word else 0.5))
+        _inscribe(canvas, lens, mixed(lens.colour, CREAM, 0.8))
 
 
 def _facets(canvas: Canvas, lens: Lens, colour: Colour) -> None:

@@ -29,6 +29,9 @@ class EventKind(StrEnum):
     SAVE = "save"  # a drained ball is given back
     EXTRA = "extra"  # an extra ball is won
     MULTIBALL = "multiball"
+    MODE = "mode"  # begins; its name is the part
+    SHOT = "shot"  # a lit shot of a mode
+    FEAT = "feat"  # all shots of a mode were made
     NUDGE = "nudge"
     WARNING = "warning"
     TILT = "tilt"

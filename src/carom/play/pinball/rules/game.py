@@ -15,7 +15,7 @@ from carom.play.pinball.rules.balls import LOOK, Balls, BallState
 from carom.play.pinball.rules.controls import NUDGES, Control, Phase
 from carom.play.pinball.rules.entry import Entry
 from carom.play.pinball.rules.events import Event, EventKind
-from carom.play.pinball.rules.journal import Journal
+from carom.play.pinball.rules.journal import Journal, message_of
 from carom.play.pinball.rules.lamps import LampState
 from carom.play.pinball.rules.ledger import Ledger
 from carom.play.pinball.rules.rules import RATE, Rules
@@ -23,7 +23,6 @@ from carom.play.pinball.rules.scores import HighScores
 from carom.play.pinball.rules.table import IDLE_SPIN, STEP, Flipper, Part, Table
 
 BALLS = 3
-
 #: Steps: until the plunger is drawn wholly, before a ball is launched by itself, between two steps of the bonus, and
 #: how long the game's end and the choice of initials last when nobody presses anything.
 PULL_TIME, AUTO_WAIT, BONUS_STEP, OVER_TIME, ENTRY_TIME = 720, 288, 24, 6 * RATE, 60 * RATE
@@ -38,8 +37,7 @@ UNREST, CALM, MOST_UNREST, MOST_WARNINGS = 1.0, 0.6, 2.0, 2
 #: What is struck more gently is not told of, in units/s.
 GENTLE = 1.5
 #: Steps between two looks at where balls are, and at the spinner.
-WATCH = 4
-SPIN_LOOK = 24
+WATCH, SPIN_LOOK = 4, 24
 
 
 class Pinball:
@@ -65,7 +63,7 @@ class Pinball:
         self._journal = Journal()
         self._rules = Rules(self.table, self._emit, self._random)
         self._presses: list[tuple[Control, bool]] = []
-        self._entry = Entry()
+        self._entry = Entry(self.high_scores.last)
         self._stages: dict[Phase, Callable[[], None]] = {
             Phase.PLAY: self._tick_play,
             Phase.BONUS: self._tick_bonus,
@@ -153,17 +151,12 @@ class Pinball:
     @property
     def message(self) -> str:
         """What the score display says."""
-        if self._demo is not None:
-            return "PRESS START"
-        if self._stage is Phase.ENTRY:
-            return f"HIGH SCORE  ENTER INITIALS  {self.initials}"
-        if self._stage is Phase.OVER:
-            return "GAME OVER"
-        if self._stage is Phase.BONUS:
-            return f"BONUS {self.bonus:,} x {self.multiplier}"
-        if self.tilted:
-            return "TILT"
-        return self._journal.notice or f"BALL {self.ball_number}"
+        return message_of(self, self._journal.notice)
+
+    @property
+    def goal(self) -> str:
+        """What to shoot and why, in a line."""
+        return self._rules.goal
 
     def take_events(self) -> list[Event]:
         """What has happened since this was last asked, in order."""
@@ -465,18 +458,21 @@ class Pinball:
         self._stage = Phase.OVER
         if self._demo is None and self.high_scores.place(self.score) is not None:
             self._stage = Phase.ENTRY
-            self._entry = Entry()
+            self._entry = Entry(self.high_scores.last)
             self._tell(EventKind.KNOCK)
 
     def _heed_entry(self, control: Control, down: bool) -> None:
         """Change a letter, or accept it."""
-        if not down or self._wait < 0:
-            return
-        self._wait = 0
-        if control in (Control.LEFT, Control.RIGHT):
-            self._entry.turn(-1 if control is Control.LEFT else 1)
-        elif control in (Control.START, Control.PLUNGER) and self._entry.accept():
-            self._keep_score()
+        if down and self._wait >= 0:
+            self._wait = 0
+            if self._entry.heed(control):
+                self._keep_score()
+
+    def type_initial(self, letter: str) -> None:
+        """Take a typed letter as an initial, while they are chosen; "" takes the last one back."""
+        if self._stage is Phase.ENTRY and self._wait >= 0:
+            self._wait = 0
+            self._entry.type(letter)
 
     def _keep_score(self) -> None:
         """Keep the score under the initials."""

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from carom.play.pinball.rules.controls import Phase
 from carom.play.pinball.rules.events import Event, EventKind
+
+if TYPE_CHECKING:
+    from carom.play.pinball.rules.game import Pinball
 from carom.play.pinball.rules.rules import RATE
 
 #: What the display says of events, of those that are jackpots in multiball, and for how many steps.
@@ -12,6 +18,7 @@ NOTICES = {
     EventKind.KNOCK: "NEW HIGH SCORE",
     EventKind.LANES: "BONUS MULTIPLIER",
     EventKind.MULTIBALL: "MULTIBALL",
+    EventKind.FEAT: "WELL SHOT",
     EventKind.SAVE: "BALL SAVED",
     EventKind.WARNING: "WARNING",
 }
@@ -58,3 +65,18 @@ class Journal:
     def clear(self) -> None:
         """Take the words away."""
         self._left = 0
+
+
+def message_of(game: Pinball, notice: str) -> str:
+    """What the score display of a game says, of which `notice` is the latest; "" where there is none."""
+    if game.phase is Phase.ATTRACT:
+        return "PRESS START"
+    if game.phase is Phase.ENTRY:
+        return f"HIGH SCORE  ENTER INITIALS  {game.initials}"
+    if game.phase is Phase.OVER:
+        return "GAME OVER"
+    if game.phase is Phase.BONUS:
+        return f"BONUS {game.bonus:,} x {game.multiplier}"
+    if game.tilted:
+        return "TILT"
+    return notice or f"BALL {game.ball_number}"

@@ -1,9 +1,9 @@
-"""The rules of the pinball game: points, lamps, the bonus and its multiplier, the bank, multiball and the extra ball.
+"""The rules of the pinball game: points, lamps, the bonus, its multiplier, the bank, modes, multiball, the extra ball.
 
 Rollovers of the top lanes light them, and the flippers rotate the lit ones; all three raise the bonus multiplier, and
 the second time brings an extra ball, once a game. Drop targets make a bank; every second bank of a ball starts
 multiball, in which orbits and banks are jackpots. Inlanes light the orbits. Bumpers light, and all three lit raise what
-they give.
+they give and start a mode.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from random import Random
 
 from carom.play.pinball.rules.events import Event, EventKind
 from carom.play.pinball.rules.lamps import BANK, BUMPERS, INLANES, LANES, MULTIPLIERS, ORBITS, Lamps, LampState
+from carom.play.pinball.rules.modes import Modes
 from carom.play.pinball.rules.table import Part, Table
 
 ON, OFF, BLINK = LampState.ON, LampState.OFF, LampState.BLINK
@@ -74,13 +75,15 @@ class Rules:
         """Set all back for a new game."""
         self.score = 0
         self.extra_ball = self._extra_given = False
+        self.modes = Modes()
         self.start_ball()
 
     def start_ball(self) -> None:
         """Set back what lasts for a ball: lamps, bonus, banks."""
         self.bonus, self.multiplier = 0, 1
         self.balls_due = 0
-        self.multiball = self.tilted = False
+        self.multiball = self.tilted = self._mode_due = False
+        self.modes.end()
         self._bumper_worth = BUMPER
         self._banks, self._jackpot = 0, JACKPOT
         self._orbits_left = self._bank_left = self._skill_left = 0
@@ -107,6 +110,7 @@ class Rules:
     def tilt(self) -> None:
         """Take the bonus, the ball save and what was due, and put the lamps out until the next ball."""
         self.tilted, self.multiball = True, False
+        self.modes.end()
         self.bonus = self.saver_left = self.balls_due = 0
         self.lamps.put_out()
         self.lamps.put(ON, "tilt", *self._shoot_again())
@@ -121,14 +125,16 @@ class Rules:
                 self.lamps.put(ON if self.extra_ball else OFF, "shoot again")
         if self._orbits_left:
             self._orbits_left -= 1
-            if not self._orbits_left and not self.multiball:
-                self.lamps.put(OFF, *ORBITS)
+            if not self._orbits_left:
+                self._put_out(*ORBITS)
         if self._skill_left:
             self._skill_left -= 1
             if not self._skill_left:
                 self._end_skill()
         if self._bank_left:
             self._bank_left -= 1
+        if self.modes.is_over():
+            self._end_mode()
 
     def raise_bank(self, places: list[tuple[float, float]]) -> None:
         """Raise the targets of a finished bank, once it has rested and no ball at `places` is in the way."""
@@ -144,6 +150,7 @@ class Rules:
         if self._spun >= pi:
             self._spun -= pi
             self._give(EventKind.SPINNER, "spinner", self.table.spinner.pivot, 0.0, SPINNER, SPINNER // 10)
+            self._shoot("spinner", self.table.spinner.pivot)
 
     # -- what balls meet ---------------------------------------------------------------------------------------------
 
@@ -156,6 +163,9 @@ class Rules:
         worth = way(part)
         self._give(part.kind, part.name, place, speed, worth, worth // 10)
         self._finish(part, place)
+        self._shoot(part.name, place)
+        if self._mode_due:
+            self._start_mode(place)
 
     def _give(
         self, kind: EventKind, part: str, place: tuple[float, float], speed: float, worth: int, bonus: int = 0
@@ -171,6 +181,7 @@ class Rules:
         """What a bumper gives, double if it was lit; lights it, and with all three lit raises what they give."""
         worth = self._bumper_worth * (2 if self.lamps[part.name] is ON else 1)
         self.lamps.put(ON, part.name)
+        self._mode_due = self.lamps.all_on(BUMPERS) and not self.multiball and self.modes.mode is None
         if self.lamps.all_on(BUMPERS) and self._bumper_worth < BUMPER_MOST:
             self._bumper_worth += BUMPER_MORE
             self.lamps.put(OFF, *BUMPERS)
@@ -268,6 +279,7 @@ class Rules:
 
     def _start_multiball(self, place: tuple[float, float]) -> None:
         """Call for two more balls and light the jackpots."""
+        self._end_mode()
         self.multiball = True
         self.balls_due = 2
         self._jackpot = JACKPOT
@@ -281,6 +293,50 @@ class Rules:
         self.multiball = False
         self.lamps.put(OFF, "multiball", "jackpot", *ORBITS)
         self._orbits_left = 0
+
+    # -- modes -------------------------------------------------------------------------------------------------------
+
+    @property
+    def goal(self) -> str:
+        """What to shoot and why, in a line."""
+        if self.multiball:
+            return "ORBITS ARE JACKPOTS"
+        if self.modes.mode is not None:
+            return self.modes.line(RATE)
+        if self._banks % BANKS_FOR_MULTIBALL:
+            return "BANK FOR MULTIBALL"
+        return "LIT ORBITS 10,000" if self._orbits_left else "BUMPERS FOR A MODE"
+
+    def _start_mode(self, place: tuple[float, float]) -> None:
+        """Begin the next mode, and light what it wants."""
+        self._mode_due = False
+        mode = self.modes.start(RATE)
+        self.lamps.put(OFF, *BUMPERS)
+        self.lamps.put(BLINK, *mode.lamps)
+        self._give(EventKind.MODE, mode.name, place, 0.0, 0)
+
+    def _shoot(self, part: str, place: tuple[float, float]) -> None:
+        """Pay for a lit shot of the mode, and for the last one more."""
+        worth, mode = self.modes.shoot(part), self.modes.mode
+        if not worth or mode is None or self.tilted:
+            return
+        self._give(EventKind.SHOT, part, place, 0.0, worth)
+        if self.modes.is_whole:
+            self._end_mode()
+            self._give(EventKind.FEAT, mode.name, place, 0.0, mode.reward)
+
+    def _end_mode(self) -> None:
+        """End the mode and put out what it had lit, unless that is lit for something else."""
+        lit = self.modes.mode.lamps if self.modes.mode is not None else ()
+        self.modes.end()
+        self._put_out(*lit)
+
+    def _put_out(self, *names: str) -> None:
+        """Put lamps out that neither multiball nor a mode nor an inlane has lit."""
+        wanted = self.modes.mode.lamps if self.modes.mode is not None else ()
+        if self.multiball or self._orbits_left:
+            wanted += ORBITS
+        self.lamps.put(OFF, *(name for name in names if name not in wanted))
 
     def change_lanes(self, step: int) -> None:
         """Move the lit top lanes by one, to the left (-1) or to the right (1)."""

@@ -24,12 +24,16 @@ _DEFAULT = (
 )
 
 
+#: Initials as the file holds them.
+Initials = Annotated[str, Field(pattern=f"^[{re.escape(LETTERS)}]{{{INITIALS}}}$")]
+
+
 class Score(BaseModel):
     """A score and who made it."""
 
     model_config = ConfigDict(frozen=True, strict=True, extra="forbid")
 
-    initials: Annotated[str, Field(pattern=f"^[{re.escape(LETTERS)}]{{{INITIALS}}}$")]
+    initials: Initials
     """Who made it: three letters."""
     score: Annotated[int, Field(ge=0, lt=10**12)]
     """How much."""
@@ -42,6 +46,7 @@ class _File(BaseModel):
 
     version: Annotated[int, Field(ge=1, le=1)]
     scores: Annotated[list[Score], Field(max_length=KEPT)]
+    last: Initials = LETTERS[0] * INITIALS
 
 
 def default_path() -> Path:
@@ -50,7 +55,9 @@ def default_path() -> Path:
 
 
 class HighScores:
-    """The ten best scores, best first; they are kept in memory alone where there is no path.
+    """The ten best scores, best first, and `last`, the initials that were entered last.
+
+    They are kept in memory alone where there is no path.
 
     >>> scores = HighScores()
     >>> scores.place(800_000), scores.best.score
@@ -62,6 +69,7 @@ class HighScores:
     ) -> None:
         found = [Score(initials=who, score=score) for who, score in _DEFAULT] if scores is None else list(scores)
         self.scores: list[Score] = sorted(found, key=lambda entry: -entry.score)[:KEPT]
+        self.last = LETTERS[0] * INITIALS
         self.path = path
         self._tell = tell or (lambda _: None)
 
@@ -81,12 +89,15 @@ class HighScores:
             say(f"The high scores in {where} cannot be read ({error.strerror}); the game begins with others.")
             return cls(None, where, say)
         try:
-            return cls(_File.model_validate_json(text).scores, where, say)
+            file = _File.model_validate_json(text)
         except ValidationError:
             aside = _put_aside(where)
             kept = f"they are kept as {aside.name}" if aside else "they stay as they are, and new ones are not kept"
             say(f"The high scores in {where} are damaged; {kept}. The game begins with others.")
             return cls(None, where if aside else None, say)
+        found = cls(file.scores, where, say)
+        found.last = file.last
+        return found
 
     @property
     def best(self) -> Score:
@@ -104,6 +115,7 @@ class HighScores:
         if place is not None:
             self.scores.insert(place, Score(initials=initials, score=score))
             del self.scores[KEPT:]
+            self.last = initials
             self.save()
         return place
 
@@ -111,7 +123,7 @@ class HighScores:
         """Write the file, whole or not at all. Where that fails, tell so: the game goes on."""
         if self.path is None:
             return
-        content = _File(version=1, scores=self.scores).model_dump_json(indent=2) + "\n"
+        content = _File(version=1, scores=self.scores, last=self.last).model_dump_json(indent=2) + "\n"
         beside = self.path.with_name(f".{self.path.name}.{os.getpid()}")
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)

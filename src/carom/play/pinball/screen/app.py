@@ -15,7 +15,7 @@ from carom.play.pinball.art import pictures as art
 from carom.play.pinball.art.paint import CREAM, GOLD, NIGHT
 from carom.play.pinball.rules.controls import Control, Phase
 from carom.play.pinball.rules.game import Pinball
-from carom.play.pinball.rules.scores import HighScores
+from carom.play.pinball.rules.scores import LETTERS, HighScores
 from carom.play.pinball.screen import sounds
 from carom.play.pinball.screen.display import Display
 from carom.play.pinball.screen.help import draw_help
@@ -108,11 +108,23 @@ class PinballApp:
         """Take one event: a press acts on the next step of the game."""
         if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
             self._away = event.type == pygame.WINDOWFOCUSLOST
+        if self._types(event):
+            return
         for action, down in self._controls.read(event):
             if isinstance(action, Control):
                 self._press(action, down)
             elif down:
                 self._obey(action)
+
+    def _types(self, event: pygame.event.Event) -> bool:
+        """Whether an event types an initial or takes one back; keys with letters do nothing else meanwhile."""
+        if event.type != pygame.KEYDOWN or self.game.phase is not Phase.ENTRY or self.paused or self.helping:
+            return False
+        letter = getattr(event, "unicode", "")
+        typed = len(letter) == 1 and letter.upper() in LETTERS
+        if typed or event.key == pygame.K_BACKSPACE:
+            self.game.type_initial(letter if typed else "")
+        return typed or event.key == pygame.K_BACKSPACE
 
     def _press(self, control: Control, down: bool) -> None:
         """Pass a press to the game; what is let go is let go in a pause too."""

@@ -50,12 +50,14 @@ def page_of(game: Pinball, seconds: float, news: News | None = None) -> Page:
 
 
 def _score(game: Pinball, lit: bool) -> Page:
-    """The score, large, and below it ball and bonus; while a ball waits, what to do, or the plunger's draw."""
+    """The score, large, and below it what to shoot; while a ball waits ball and bonus, and what to do."""
     words = f"{game.score:,}"
     size = largest(words)
     lines = [Line(words, 2 if size == 3 else 6, size)]
     if game.plunger_pull > 0.0 and game.ledger.held:
         return Page(tuple(lines), (Bar(29, 6, game.plunger_pull),))
+    if game.balls_in_play:
+        return Page((*lines, Line(game.goal, 28, 1, 0.8)))
     lines.append(Line(f"BALL {game.ball_number}", 28, 1, 0.7, "start"))
     if game.ledger.held and not game.balls_in_play:
         lines.append(Line("HOLD SPACE", 28, 1, 1.0 if lit else 0.4, "end"))
@@ -84,7 +86,8 @@ def _notice(game: Pinball, lit: bool) -> Page:
 def _entry(game: Pinball, seconds: float) -> Page:
     """The initials that are being chosen, the one in turn blinking, and what to press."""
     lit = int(seconds / BLINK_TIME) % 2 == 0
-    hint = ("FLIPPERS CHOOSE", "SPACE TAKES")[int(seconds / HINT_TIME) % 2]
+    hints = ("FLIPPERS CHOOSE", "SPACE TAKES", "OR TYPE THEM")
+    hint = hints[int(seconds / HINT_TIME) % len(hints)]
     shown = "".join(letter if place != game.initial_place or lit else "_" for place, letter in enumerate(game.initials))
     return Page(
         (

@@ -23,6 +23,8 @@ SHOWS = {
     EventKind.EXTRA,
     EventKind.KNOCK,
     EventKind.GAME_START,
+    EventKind.MODE,
+    EventKind.FEAT,
 }
 #: What the display announces, with the points; of a lane only a skill shot, which brings so much at least.
 ANNOUNCED = {
@@ -129,4 +131,6 @@ def announced(event: Event) -> str:
         return "SKILL SHOT"
     if event.part == "jackpot" or (event.kind is EventKind.ORBIT and event.score >= JACKPOT):
         return "JACKPOT"
+    if event.kind in (EventKind.MODE, EventKind.FEAT):
+        return event.part
     return ANNOUNCED.get(event.kind, "")

@@ -13,10 +13,12 @@ KEYS = (
     ("Space, Down", "hold to draw the plunger, let go to shoot; starts a game"),
     ("Return, 1", "starts a game"),
     ("A, D, W or Up", "nudge the table: to the left, to the right, upward"),
+    ("Letters, Backspace", "initials for a high score: type them, take one back"),
     ("F1", "this help"),
     ("F2", "frame rate and the time that a frame takes"),
     ("F3", "art, art and exact lines, lines alone"),
     ("F11", "full screen"),
+    ("F12, PrtScr", "screenshot"),
     ("P", "pause"),
     ("M", "sound on and off"),
     ("Esc", "pauses a game; once more ends it"),
@@ -28,7 +30,8 @@ RULES = (
     "and bring an extra ball on the way. Flippers move the lit lanes.",
     "Drop targets 1-2-3: each bank pays more than the one before, every second one starts multiball.",
     "In multiball orbits and banks are jackpots. Inlanes light the orbits.",
-    "Bumpers light when struck; all three lit raise what they pay.",
+    "Bumpers light when struck; all three lit raise what they pay and start a mode: the display",
+    "says what to shoot, for how much, and for how many seconds yet. All its shots bring 20,000.",
     "The bonus is paid as the ball drains. Nudge too hard and the table tilts: the bonus is lost.",
 )
 MARGIN, LINE = 36, 25
@@ -40,10 +43,10 @@ def draw_help(surface: pygame.Surface, letters: Letters) -> None:
     veil = pygame.Surface((width, height), pygame.SRCALPHA)
     veil.fill((*mixed(NIGHT, (0, 0, 0), 0.4), 228))
     surface.blit(veil, (0, 0))
-    frame = pygame.Rect(MARGIN // 2, 96, width - MARGIN, height - 208)
+    frame = pygame.Rect(MARGIN // 2, 56, width - MARGIN, height - 112)
     for grown, colour, wide in ((0, mixed(GOLD, NIGHT, 0.5), 5), (-2, GOLD, 2)):
         pygame.draw.rect(surface, colour, frame.inflate(grown, grown), wide, border_radius=10)
-    y = 124
+    y = 84
     letters.draw(surface, "CAROM COMET", (width / 2, y), 30, CORAL, anchor="middle")
     y += 58
     for keys, meaning in KEYS:
