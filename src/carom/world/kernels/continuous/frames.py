@@ -284,9 +284,9 @@ def drop_what_is_off(
                 continue
             time = float(state["now"])
             if kind == INSIDE_SHAPE:
-                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
             elif kind == INSIDE_BALL:
-                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
             place = drop_relation(state, relations, ball, place, before)
 
 
