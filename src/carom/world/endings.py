@@ -27,10 +27,14 @@ UNTIL = "must be a number of hits, a shape or ball of this world or its name, a 
 
 
 class Ending(Protocol):
-    """A condition that is looked at after every step of a run."""
+    """A condition that is looked at after steps of a run."""
+
+    @property
+    def hits_to_wait_for(self) -> int:
+        """How many hits there must be before it can come true: steps that have them are looked at; 0: all are."""
 
     def is_over(self, hits: Hits) -> bool:
-        """Whether it has come true in the step that these are the hits of, the next one of the run."""
+        """Whether it has come true by the end of the steps that these are the hits of, the next ones of the run."""
 
 
 class SoMany:
@@ -38,6 +42,11 @@ class SoMany:
 
     def __init__(self, count: int) -> None:
         self._left = count
+
+    @property
+    def hits_to_wait_for(self) -> int:
+        """Those that are left."""
+        return self._left
 
     def is_over(self, hits: Hits) -> bool:
         """Whether as many have come."""
@@ -47,6 +56,8 @@ class SoMany:
 
 class SoManyEach:
     """So many hits of each ball that is in the world by then; one of two balls counts for both."""
+
+    hits_to_wait_for = 1
 
     def __init__(self, world: World, count: int) -> None:
         self._world = world
@@ -69,6 +80,8 @@ class SoManyEach:
 class Met:
     """A bounce off one of some shapes or balls, or a ball's coming into it."""
 
+    hits_to_wait_for = 1
+
     def __init__(self, ids: list[int]) -> None:
         self._ids = ids
 
@@ -82,6 +95,8 @@ class Met:
 
 class Asked:
     """A function of the user's, which is given the hits of each step and may use the world, but not step it."""
+
+    hits_to_wait_for = 0
 
     def __init__(self, world: World, function: Callable[[Hits], Any]) -> None:
         self._world = world
@@ -101,6 +116,11 @@ class First:
 
     def __init__(self, one: Ending, other: Ending) -> None:
         self._both = (one, other)
+
+    @property
+    def hits_to_wait_for(self) -> int:
+        """The fewer of theirs."""
+        return min(ending.hits_to_wait_for for ending in self._both)
 
     def is_over(self, hits: Hits) -> bool:
         """Whether one of them has come true; both are told of every step."""

@@ -123,8 +123,8 @@ def run_steps(
 ) -> Hits | Counts:
     """What is kept of the hits of a number of steps, or of those until a condition comes true.
 
-    Without a condition, how many steps are made between two looks at the clock changes nothing of what they bring; with
-    one each step is made alone and looked at.
+    How many steps are made between two looks at the clock changes nothing of what they bring: steps that wait for hits
+    end by themselves with the first one that has them, and where every step is to be looked at, each is made alone.
     """
     world._departed.forget_oldest()
     done, size, over = 0, 1, False
@@ -151,8 +151,15 @@ def _slice(world: World, count: int, length: float, ending: Ending | None, kept:
     if ending is None:
         kept.add(world._advance(count, length))
         return count, False
-    for made in range(1, count + 1):
-        hits = world._advance(1, length)
+    state = world._states[0]
+    made = 0
+    while made < count:
+        state["steps_made"], state["stop_hits"] = 0, ending.hits_to_wait_for
+        try:
+            hits = world._advance(count - made if ending.hits_to_wait_for else 1, length)
+        finally:
+            state["stop_hits"] = 0
+        made += int(state["steps_made"])
         kept.add(hits)
         if ending.is_over(hits):
             return made, True

@@ -43,6 +43,7 @@ from carom.world.kernels.step.hits import cross_ball, record_hit
 from carom.world.kernels.step.motion import wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
+from carom.world.kernels.step.spending import spend
 
 
 def impact_with_shape(
@@ -188,6 +189,8 @@ def rebound_off(
     ball["vy"] -= behind * ny
     speed, impulse = length(vx - ux, vy - uy), gain * float(ball["mass"])
     record_hit(state, hits[state["hits"]], float(state["now"]), ball, shape, touch, (vx, vy), speed, impulse)
+    if shape["once"] != 0:
+        spend(state, shape)
 
 
 def part_least(ball: BallRow, speed: float, nx: float, ny: float) -> None:

@@ -33,6 +33,7 @@ from carom.world.kernels.step.hits import cross_ball, record_hit, write_crossing
 from carom.world.kernels.step.motion import rouse, wake
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.kernels.step.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
+from carom.world.kernels.step.spending import spend
 from carom.world.kernels.step.times import hit_time, rest_speed
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
@@ -260,6 +261,10 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
     wake(state, ball)
     impulse = gain * float(ball["mass"])
     record_hit(state, hit, hit_time(state), ball, shape, touch, (vx, vy), length(wx, wy), impulse)
+    if shape["once"] != 0:
+        spend(state, shape)
+        # What rested on it falls with the next step.
+        state["wake"] = 1
 
 
 def approaches(s: float, squares: float) -> bool:
