@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from carom.checks import refuse
 from carom.constants import TWO_PI
 from carom.rows.hit import EXIT
-from carom.rows.tables import Rows
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.segment import Segment
@@ -71,47 +70,53 @@ def boundary_of(hits: Hits, outline: Any) -> Boundary:
     shapes = hits["shape"]
     places = by_id[np.minimum(np.searchsorted(ids[by_id], shapes), len(ids) - 1)]
     on = (ids[places] == shapes) & (hits["kind"] != EXIT)
-    rows, places = np.asarray(hits)[on], places[on]
+    found = hits if on.all() else hits[on]
+    rows, places = found.view(np.ndarray), places if on.all() else places[on]
     lengths = np.array([piece.shape.length for piece in pieces])
-    forward = np.array([piece.forward for piece in pieces])[places]
-    along, tangents = _along(pieces, lengths, rows["point"], places)
-    offsets = np.concatenate([[0.0], np.cumsum(lengths)[:-1]])[places]
-    along = offsets + np.where(forward, along, lengths[places] - along)
-    return Boundary(hits[on], along, _sines(rows, np.where(forward[:, None], tangents, -tangents)))
+    along, tangent_x, tangent_y = _along(pieces, lengths, rows["point"], places)
+    forward = np.array([piece.forward for piece in pieces])
+    # A piece that is gone along backwards begins at its far end.
+    begins = np.concatenate([[0.0], np.cumsum(lengths)[:-1]]) + np.where(forward, 0.0, lengths)
+    ways = np.where(forward, 1.0, -1.0)[places]
+    along = begins[places] + ways * along
+    return Boundary(found, along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y))
 
 
 def _along(
     pieces: list[_Piece], lengths: NDArray[np.float64], points: NDArray[np.float64], places: NDArray[np.intp]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How far each point is along its piece from that one's first end, and the piece's unit tangent there."""
-    along, tangents = np.empty(len(points)), np.empty((len(points), 2))
-    is_round = np.array([not isinstance(piece.shape, Segment) for piece in pieces])[places]
-    straight = ~is_round
-    if straight.any():
-        starts = np.array([_ends(piece.shape)[0] for piece in pieces])[places[straight]]
-        ways = np.array([_direction(piece.shape) for piece in pieces])[places[straight]]
-        along[straight] = ((points[straight] - starts) * ways).sum(axis=1)
-        tangents[straight] = ways
-    if is_round.any():
-        centers = np.array([piece.shape.position for piece in pieces])[places[is_round]]
-        radii = np.array([getattr(piece.shape, "radius", 1.0) for piece in pieces])[places[is_round]]
-        angles = np.array([getattr(piece.shape, "start_angle", 0.0) for piece in pieces])[places[is_round]]
-        from_center = points[is_round] - centers
-        turned = np.mod(np.arctan2(from_center[:, 1], from_center[:, 0]) - angles, TWO_PI)
-        # What rounding has put before the first end comes out as almost a whole turn.
-        most = lengths[places[is_round]] / radii
-        along[is_round] = radii * np.where(TWO_PI - turned < turned - most, 0.0, turned)
-        away = np.sqrt((from_center * from_center).sum(axis=1))
-        tangents[is_round] = np.stack([-from_center[:, 1], from_center[:, 0]], axis=1) / away[:, None]
-    return np.clip(along, 0.0, lengths[places]), tangents
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """How far each point is along its piece from that one's first end, and the piece's unit tangent there, x and y."""
+    x, y = np.ascontiguousarray(points[:, 0]), np.ascontiguousarray(points[:, 1])
+    along, tangent_x, tangent_y = np.empty(len(x)), np.empty(len(x)), np.empty(len(x))
+    by_piece = np.argsort(places, kind="stable")
+    begins = np.searchsorted(places, np.arange(len(pieces) + 1), sorter=by_piece)
+    for number, piece in enumerate(pieces):
+        mine = by_piece[begins[number] : begins[number + 1]]
+        shape = piece.shape
+        if isinstance(shape, Segment):
+            (ax, ay), (tx, ty) = shape.p0, shape.t0
+            along[mine] = (x[mine] - ax) * tx + (y[mine] - ay) * ty
+            tangent_x[mine], tangent_y[mine] = tx, ty
+        else:
+            (cx, cy), radius = shape.center, shape.radius
+            dx, dy = x[mine] - cx, y[mine] - cy
+            first = shape.start_angle if isinstance(shape, Arc) else 0.0
+            turned = np.mod(np.arctan2(dy, dx) - first, TWO_PI)
+            # What rounding has put before the first end comes out as almost a whole turn.
+            along[mine] = radius * np.where(TWO_PI - turned < turned - lengths[number] / radius, 0.0, turned)
+            away = np.sqrt(dx * dx + dy * dy)
+            tangent_x[mine], tangent_y[mine] = -dy / away, dx / away
+    return np.clip(along, 0.0, lengths[places]), tangent_x, tangent_y
 
 
-def _sines(rows: Rows, tangents: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The part of each ball's velocity along a tangent."""
-    velocity = rows["velocity"]
-    speed = np.sqrt((velocity * velocity).sum(axis=1))
-    sines = np.divide((velocity * tangents).sum(axis=1), speed, out=np.zeros(len(rows)), where=speed > 0.0)
-    return np.asarray(np.clip(sines, -1.0, 1.0))
+def _parts_along(
+    velocities: NDArray[np.float64], tangent_x: NDArray[np.float64], tangent_y: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The part of each velocity that is along its tangent, in [-1, 1]; 0 of none."""
+    x, y = np.ascontiguousarray(velocities[:, 0]), np.ascontiguousarray(velocities[:, 1])
+    speed = np.sqrt(x * x + y * y)
+    parts = np.divide(x * tangent_x + y * tangent_y, speed, out=np.zeros(len(x)), where=speed > 0.0)
+    return np.asarray(np.clip(parts, -1.0, 1.0))
 
 
 def _pieces_of(world: World, outline: Any) -> list[_Piece]:
@@ -151,11 +156,6 @@ def _ends(shape: Segment | Arc | Circle) -> tuple[Vector, Vector]:
         x, y = shape.center
         return (x + shape.radius, y), (x + shape.radius, y)
     return shape.p0, shape.p1
-
-
-def _direction(shape: Segment | Arc | Circle) -> Vector:
-    """The unit vector from end to end of a segment; that along x of another shape, where it is not asked for."""
-    return shape.t0 if isinstance(shape, Segment) else (1.0, 0.0)
 
 
 def _is_near(a: Vector, b: Vector, gap: float) -> bool:

@@ -183,8 +183,9 @@ class Touching:
 
 def _has_left(before: Rows, after: Rows) -> NDArray[np.bool_]:
     """Whether the balls of hits had left what they were at in hits before."""
+    velocity, normal, away = after["velocity"], after["normal"], after["position"] - after["point"]
+    approach = np.abs(velocity[:, 0] * normal[:, 0] + velocity[:, 1] * normal[:, 1])
+    radius = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
     # Over a surface that moves the speed tells more: it is that relative to the surface, of which this is a part.
-    normal_speed = np.minimum(np.abs((after["velocity"] * after["normal"]).sum(axis=1)), after["speed"])
-    away = after["position"] - after["point"]
-    radius = np.sqrt((away * away).sum(axis=1))
+    normal_speed = np.minimum(approach, after["speed"])
     return np.asarray(0.25 * normal_speed * (after["time"] - before["time"]) > LOWEST_HOP * radius)
