@@ -21,7 +21,7 @@ colliding = {
     "layer": masks,
     "collides_with": masks,
 }
-surface = {**colliding, "kick": st.floats(0.0, 100.0)}
+surface = {**colliding, "kick": st.floats(0.0, 100.0), "once": st.booleans()}
 rails = {
     "pivot": st.one_of(st.none(), pairs),
     "angular_velocity": numbers,

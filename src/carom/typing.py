@@ -38,3 +38,6 @@ Restitution: TypeAlias = Literal["normal", "total"]
 
 #: How a shape moves that is no ball.
 MotionName: TypeAlias = Literal["static", "kinematic"]
+
+#: What a run keeps of its hits.
+Keep: TypeAlias = Literal["all", "none", "counts"]

@@ -19,6 +19,7 @@ LONGEST = 60
 #: What each example claims, of the names in it at its end and of what it printed.
 CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "arc_room": lambda names, _: np.abs(np.subtract(names["momenta"](), names["before"]))[0] < 1e-12 < 1.0,
+    "boundary_map": lambda names, _: len(names["sine"]) >= 2000 and np.ptp(names["sine"]) < 1e-9,
     "bowl": lambda names, printed: "less by 0.000000" in printed and 0 < len(names["run"].hits) < 60,
     "common_tangents": lambda names, _: len(names["belt"]) == 6,
     "flipper": lambda names, _: np.allclose(names["speeds"], names["expected"], rtol=0.02),
@@ -38,8 +39,18 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "two_modes": lambda _, printed: "discrete: at most 8" in printed and "continuous: at most 0%" in printed,
 }
 #: Those that take longer than five seconds with the compiler off.
-LONG = {"bowl", "layers", "galton_board", "maxwell_gas", "pinball_hits", "pool_line", "sinai_billiard", "snapshots"} | {
+LONG = {
+    "boundary_map",
+    "bowl",
+    "layers",
+    "galton_board",
+    "maxwell_gas",
+    "pinball_hits",
+    "pool_line",
+    "sinai_billiard",
     "rounded_room",
+    "snapshots",
+} | {
     "stadium_chaos",
     "two_modes",
 }

@@ -59,7 +59,7 @@ def check_extras(endings: Collection[str]) -> None:
 
 def writers_of_run(source: Source, world: World, outcome: Outcome, view: View) -> Writers:
     """How the files of a run are written."""
-    shares = [(count.label, count.bounces) for count in outcome.tally.counts() if count.bounces]
+    shares = [(count.label, count.touches - count.entries) for count in outcome.tally.counts() if count.bounces]
 
     def picture() -> Picture:
         return draw.picture_of(

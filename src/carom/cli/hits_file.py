@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 #: The columns: seconds; "bounce", "enter" or "exit"; id and name (empty where there is none) of ball and shape; the
-#: point; the unit normal from shape to ball; the depth of the overlap; the speed of the impact; the momentum given.
+#: point; the unit normal from shape to ball; the depth of the overlap; the speed of the impact; the momentum given; the
+#: ball's velocity before; its centre.
 COLUMNS = (
     "time",
     "kind",
@@ -32,6 +33,10 @@ COLUMNS = (
     "setback",
     "speed",
     "impulse",
+    "velocity_x",
+    "velocity_y",
+    "position_x",
+    "position_y",
 )
 
 
@@ -44,9 +49,10 @@ def write_hits(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None
     with path.open("w", encoding="utf-8", newline="") as file:
         lines = csv.writer(file, lineterminator="\n")
         lines.writerow(COLUMNS)
-        for time, kind, ball, shape, point, normal, *rest in hits.tolist():
+        for time, kind, ball, shape, point, normal, *rest, velocity, position in hits.tolist():
             whose = (ball, names.get(ball, ""), shape, names.get(shape, ""))
-            lines.writerow((time, kinds[kind], *whose, *point.tolist(), *normal.tolist(), *rest))
+            vectors = (*velocity.tolist(), *position.tolist())
+            lines.writerow((time, kinds[kind], *whose, *point.tolist(), *normal.tolist(), *rest, *vectors))
 
 
 def write_hits_table(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -> None:
@@ -57,7 +63,8 @@ def write_hits_table(path: Path, hits: NDArray[Any], names: Mapping[int, str]) -
     columns: dict[str, Any] = {name: np.ascontiguousarray(hits[name]) for name in hits.dtype.names or ()}
     for axis, letter in enumerate("xy"):
         columns[letter] = np.ascontiguousarray(hits["point"][:, axis])
-        columns[f"normal_{letter}"] = np.ascontiguousarray(hits["normal"][:, axis])
+        for field in ("normal", "velocity", "position"):
+            columns[f"{field}_{letter}"] = np.ascontiguousarray(hits[field][:, axis])
     columns["kind"] = arrow.array([kinds[kind] for kind in hits["kind"].tolist()], arrow.string()).dictionary_encode()
     for whose in ("ball", "shape"):
         called = [names.get(member) for member in hits[whose].tolist()]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing import Self
 
     from carom.cli.running import Outcome
-    from carom.cli.tally import Count
+    from carom.cli.tally import Tallied
     from carom.world.world import World
 
 #: How many shapes the table lists.
@@ -106,7 +106,7 @@ def pace(steps: int, dt: float, took: float) -> str:
 
 
 def summary(name: str, world: World, outcome: Outcome, dt: float) -> Group:
-    """The end of a run: what it was, hits by shape, statistics, digest."""
+    """The end of a run: what it was, touches by shape, statistics, digest."""
     told = [f"{world.time:,.6g} s simulated in {counted(outcome.steps, 'step')}", counted(len(world.balls), "ball")]
     speed = pace(outcome.steps - 1, dt, outcome.took)
     if speed:
@@ -124,20 +124,19 @@ def counted(number: int, thing: str) -> str:
     return f"{number:,} {thing}" if number == 1 else f"{number:,} {thing}s"
 
 
-def hits_table(counts: list[Count]) -> Table:
-    """The hits by shape, the most frequent first."""
+def hits_table(counts: list[Tallied]) -> Table:
+    """The touches and hits by shape, what was touched most often first."""
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     table.add_column("shape")
-    for heading in ("hits", "fastest", "strongest"):
+    for heading in ("touches", "hits", "fastest", "strongest"):
         table.add_column(heading, justify="right")
     for count in counts[:MOST_ROWS]:
-        numbers = f"{count.bounces:,}", f"{count.fastest:.3g}", f"{count.strongest:.3g}"
-        if count.entries:
-            numbers = f"{count.bounces + count.entries:,}", *numbers[1:]
+        numbers = f"{count.touches:,}", f"{count.hits:,}", f"{count.fastest:.3g}", f"{count.strongest:.3g}"
         table.add_row(Text(count.label), *numbers)
     rest = counts[MOST_ROWS:]
     if rest:
-        table.add_row(Text(f"{len(rest)} more", style="dim"), f"{sum(c.bounces + c.entries for c in rest):,}", "", "")
+        sums = f"{sum(count.touches for count in rest):,}", f"{sum(count.hits for count in rest):,}"
+        table.add_row(Text(f"{len(rest)} more", style="dim"), *sums, "", "")
     return table
 
 

@@ -1,4 +1,4 @@
-"""Hits counted by the shape that was hit, while a run goes on."""
+"""Touches and hits counted by the shape that was hit, while a run goes on."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.record.members import BALLS, hits_by_label, label_of, parts
+from carom.record.members import BALLS, label_of, parts, touches_by_label
+from carom.rows.tables import Row
+from carom.world.counts import Counter
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
@@ -20,23 +22,28 @@ if TYPE_CHECKING:
 
 
 @dataclass(slots=True)
-class Count:
+class Tallied:
     """What happened at one shape, or at all shapes of one name."""
 
     label: str
+    touches: int = 0
     bounces: int = 0
     entries: int = 0
     fastest: float = 0.0
     strongest: float = 0.0
 
-    def add(self, hits: NDArray[Any]) -> None:
-        """Count some hits, all of them with this shape."""
-        bounces = hits[hits["kind"] == HitKind.BOUNCE]
-        self.bounces += len(bounces)
-        self.entries += int(np.count_nonzero(hits["kind"] == HitKind.ENTER))
-        if len(bounces) > 0:
-            self.fastest = max(self.fastest, float(bounces["speed"].max()))
-            self.strongest = max(self.strongest, float(bounces["impulse"].max()))
+    @property
+    def hits(self) -> int:
+        """The bounces, and the times that a ball came in."""
+        return self.bounces + self.entries
+
+    def add(self, count: Row) -> None:
+        """Count what a row of `COUNT` says of one of the shapes."""
+        self.touches += int(count["touches"])
+        self.bounces += int(count["bounces"])
+        self.entries += int(count["entries"])
+        self.fastest = max(self.fastest, float(count["fastest"]))
+        self.strongest = max(self.strongest, float(count["strongest"]))
 
 
 class Tally:
@@ -44,7 +51,7 @@ class Tally:
 
     def __init__(self, labels: Mapping[int, str]) -> None:
         self._labels = labels
-        self._counts: dict[str, Count] = {}
+        self._counter = Counter()
 
     @classmethod
     def of(cls, world: World) -> Tally:
@@ -52,21 +59,19 @@ class Tally:
         return cls({shape.id or 0: label_of(shape) for shape in parts(world.shapes)})
 
     def add(self, hits: NDArray[Any]) -> None:
-        """Count more hits."""
-        if len(hits) == 0:
-            return
-        hits = hits[np.argsort(hits["shape"], kind="stable")]
-        shapes, starts = np.unique(hits["shape"], return_index=True)
-        for shape, part in zip(shapes.tolist(), np.split(hits, starts[1:]), strict=True):
-            label = self._labels.get(shape, BALLS)
-            self._counts.setdefault(label, Count(label)).add(part)
+        """Count more hits, which come after those before."""
+        self._counter.add(hits)
 
-    def counts(self) -> list[Count]:
-        """The counts, the most frequent first."""
-        return sorted(self._counts.values(), key=lambda count: (-count.bounces - count.entries, count.label))
+    def counts(self) -> list[Tallied]:
+        """The counts, what was touched most often first."""
+        found: dict[str, Tallied] = {}
+        for row in self._counter.rows():
+            label = self._labels.get(int(row["shape"]), BALLS)
+            found.setdefault(label, Tallied(label)).add(row)
+        return sorted(found.values(), key=lambda count: (-count.touches, -count.hits, count.label))
 
 
 def shares_of(recording: Recording, until: float) -> list[tuple[str, int]]:
-    """The bounces of a recorded run, until some time of it, by what was hit, the most frequent first."""
+    """The touches of a recorded run until some time of it, without sensors, by what was touched, the most first."""
     bounces = recording.hits["kind"] == HitKind.BOUNCE
-    return hits_by_label(recording, np.compress(bounces & (recording.hits["time"] <= until), recording.hits))
+    return touches_by_label(recording, np.compress(bounces & (recording.hits["time"] <= until), recording.hits))

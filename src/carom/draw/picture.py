@@ -187,8 +187,8 @@ def picture_of(
 ) -> Picture:
     """The picture of `world` as it stands, with the tracks and hits of the run that `trace` has followed, if any.
 
-    `name` stands over the panel. `shares` are the numbers of hits by what was hit, the largest first; the panel shows
-    the first `MOST_SHARES`. What `layers` there are says `Layer`; `size` is in pixels.
+    `name` stands over the panel. `shares` are the numbers of touches by what was touched, the largest first; the panel
+    shows the first `MOST_SHARES`. What `layers` there are says `Layer`; `size` is in pixels.
     """
     balls = Balls.of(world)
     moment = Moment(world.time, balls) if trace is None else traced(world.time, balls, trace)

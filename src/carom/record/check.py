@@ -108,7 +108,7 @@ def _hits(given: Any) -> NDArray[Any]:
     """The hits, read-only, checked."""
     hits = np.asarray(given)
     _demand(hits.dtype == HIT and hits.ndim == 1, "hits", "must be rows as those of Hits")
-    for field in ("time", "point", "normal", "setback", "speed", "impulse"):
+    for field in ("time", "point", "normal", "setback", "speed", "impulse", "velocity", "position"):
         _demand(np.isfinite(hits[field]).all(), f"hits[{field!r}]", "must be finite")
     _demand((np.diff(hits["time"]) >= 0.0).all(), "hits['time']", "must not descend")
     _demand(np.isin(hits["kind"], [kind.value for kind in HitKind]).all(), "hits['kind']", "must be a HitKind")

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     R = TypeVar("R", bound=Recording)
 
 #: The form of the files; a library that does not know it refuses them.
-FORMAT = 1
+FORMAT = 2
 HEAD = "recording.json"
 #: How often differences are taken along the frames; in between the hits, velocities stay and places move steadily.
 DIFFERENCES = {"times": 2, "positions": 2, "velocities": 1, "poses": 2}

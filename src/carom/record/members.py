@@ -1,4 +1,4 @@
-"""What the shapes and balls of a world are called, how often they were hit, and the shapes that compounds stand for."""
+"""What the shapes and balls of a world are called, how often they were touched, and what compounds stand for."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from carom.rows.pose import pose
 from carom.scene.guarding import guarded
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.world.touches import touches_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -64,9 +65,19 @@ def label_of(shape: Shape) -> str:
     return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"
 
 
+def touches_by_label(recording: Recording, hits: Rows) -> list[tuple[str, int]]:
+    """How many touches `hits` of a recording were at what, by label, the most first; those of balls count together."""
+    return _by_label(recording, touches_of(hits))
+
+
 def hits_by_label(recording: Recording, hits: Rows) -> list[tuple[str, int]]:
-    """How many of some `hits` of a recording were at what, by label, the most first; those of balls count together."""
+    """The same of the hits themselves."""
+    return _by_label(recording, hits)
+
+
+def _by_label(recording: Recording, rows: Rows) -> list[tuple[str, int]]:
+    """How many rows name what as their `shape`, by label, the most first."""
     found: Counter[str] = Counter()
-    for member, count in zip(*np.unique(hits["shape"], return_counts=True), strict=True):
+    for member, count in zip(*np.unique(rows["shape"], return_counts=True), strict=True):
         found[BALLS if int(member) in recording.ball_ids else recording.label_of(int(member))] += int(count)
     return sorted(found.items(), key=lambda share: (-share[1], share[0]))

@@ -24,6 +24,8 @@ HIT = np.dtype(
         ("setback", "f8"),
         ("speed", "f8"),
         ("impulse", "f8"),
+        ("velocity", "f8", (2,)),
+        ("position", "f8", (2,)),
     ]
 )
 
@@ -42,6 +44,10 @@ class HitRow(TypedDict):
     setback: f8
     speed: f8
     impulse: f8
+    velocity_x: f8
+    velocity_y: f8
+    position_x: f8
+    position_y: f8
 
 
 HIT_ROW = dtype_of(HitRow)

@@ -20,6 +20,10 @@ STATIC = 0
 KINEMATIC = 1
 DYNAMIC = 2
 
+# What a shape's `once` is.
+ONCE = 1  # it switches itself off at its first bounce
+SPENT = 2  # it has, in this step
+
 #: The `time_left` of a shape that has come where it was sent, until the substep is over and it rests.
 ARRIVED = -1.0
 
@@ -47,7 +51,7 @@ class ShapeRow(TypedDict):
     solid: u1  # circles: the inside is solid too
     rotating: u1  # kinematic: whether angular_velocity acts
     turn_limited: u1  # whether turn_low and turn_high act
-    spare: u1  # keeps the row free of padding; always 0
+    once: u1  # 0, ONCE or SPENT; in the copies of a step that was undone, whether it was out of numbers' range
     layer: u4
     collides_with: u4
     id: i8

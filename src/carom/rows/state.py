@@ -96,6 +96,8 @@ class StateRow(TypedDict):
     # the place of the step
     dt: f8
     steps_left: i8
+    steps_made: i8  # since this was set to 0
+    stop_hits: i8  # the steps end with the first one after which there are as many hits; 0: with none
     stage: i8
     stage_entered: i8  # whether what the stage does once is done
     substep: i8
@@ -123,6 +125,7 @@ class StateRow(TypedDict):
     pairs: i8
     found: i8  # overlaps that this iteration has met
     step_hits: i8  # hits there were when the step began
+    spent: i8  # shapes that have switched themselves off in this step
     outside: i8  # balls wholly outside of the bounds
     braked: i8  # balls with a friction of their own
     wanted_hits: i8

@@ -69,6 +69,8 @@ class ShapeDescriptor(MovingDescriptor, CollidingDescriptor):
 
     maker: ClassVar[type[Shape]]
 
+    once: bool = False
+    """Whether it switches itself off at its first bounce."""
     kick: NonNegative = 0.0
     """A speed that it adds along the normal at every approach that bounces, in length/s."""
     motion: Literal["static", "kinematic"] = "static"
@@ -168,6 +170,8 @@ class CompoundDescriptor(MovingDescriptor):
     """Whether all parts are sensors."""
     can_collide: bool | None = None
     """Whether the parts meet anything at all."""
+    once: bool | None = None
+    """Whether each part switches itself off at its first bounce."""
     layer: Layers | None = None
     """The layers that all parts are on."""
     collides_with: Layers | None = None

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from math import atan2
 from typing import Literal, TypeAlias, Unpack
 
 from carom.checks import number, pair, positive, refuse
+from carom.constants import TWO_PI
 from carom.geometry.angle import normalize_angle
 from carom.geometry.arc import arc_length, arc_tangents, closest_on_arc, in_sector
 from carom.rows.kinds import arc_of
@@ -159,6 +161,14 @@ class Arc(RoundShape):
         """The point of it that is nearest to `p`: an end outside the sector, its middle where `p` is the centre."""
         x, y = pair("p", p)
         return closest_on_arc(arc_of(self._row), x, y)
+
+    def parameter(self, point: Pair) -> float:
+        """How far along it from `p0` the place is that is nearest to `point`; from 0 to its length."""
+        (x, y), (cx, cy) = self.closest_point(pair("point", point)), self.center
+        along = self.radius * normalize_angle(atan2(y - cy, x - cx) - self.start_angle)
+        # At an end rounding may put it before the first or past the second; which, the rest of the circle tells.
+        past = along - self.length
+        return min(along, self.length) if past <= TWO_PI * self.radius - along else 0.0
 
     def complement(self) -> Arc:
         """The rest of the circle, as a new arc of the same surface and motion, in no world and no compound."""

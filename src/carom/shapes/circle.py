@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from math import atan2
 from typing import Unpack
 
 from carom.checks import flag, pair, positive
+from carom.constants import TWO_PI
+from carom.geometry.angle import normalize_angle
 from carom.geometry.circle import closest_on_circle
 from carom.rows.shape import CIRCLE
 from carom.shapes.round import RoundShape
@@ -47,6 +50,20 @@ class Circle(RoundShape):
     def solid(self, value: bool) -> None:
         self._row["solid"] = flag("solid", value)
         self._change()
+
+    @property
+    def length(self) -> float:
+        """How far it is around it."""
+        return TWO_PI * self.radius
+
+    def parameter(self, point: Pair) -> float:
+        """How far along it, counterclockwise from angle 0, the place is that is nearest to `point`.
+
+        From 0 to less than its length; 0 where `point` is the centre.
+        """
+        x, y = pair("point", point)
+        cx, cy = self.center
+        return self.radius * normalize_angle(atan2(y - cy, x - cx))
 
     def closest_point(self, p: Pair) -> Vector:
         """The point of the perimeter that is nearest to `p`; the one at angle 0 where `p` is the centre."""

@@ -52,8 +52,8 @@ class Compound(OnRails):
     Its parts become kinematic, and move as the compound says: `pivot`, `orientation`, `angular_velocity` (rad/s),
     `rotating`, `turn_limits` (radians) and `velocity` (length/s) are set here, not on the parts. A part is given as it
     lies at orientation 0: one that is added to a compound that has turned or travelled goes the same way, as if it had
-    been there from the start. `elasticity`, `kick`, `sensor`, `can_collide`, `layer` and `collides_with` are each
-    part's own, unless they are set here, which sets them on every part and on those that are added later.
+    been there from the start. `elasticity`, `kick`, `sensor`, `can_collide`, `once`, `layer` and `collides_with` are
+    each part's own, unless they are set here, which sets them on every part and on those that are added later.
 
     A hit's shape is the part that was hit, and `part.compound` leads back. `center_point` is a part too: a point that
     starts at the pivot and collides with nothing. Raises `InvalidArgument` for what is no shape, and for a shape that
@@ -74,6 +74,7 @@ class Compound(OnRails):
     kick = _surface("kick", non_negative)
     sensor = _surface("sensor", flag)
     can_collide = _surface("can_collide", flag)
+    once = _surface("once", flag)
     layer = _surface("layer", layers)
     collides_with = _surface("collides_with", layers)
 
@@ -86,6 +87,7 @@ class Compound(OnRails):
         kick: float | None = None,
         sensor: bool | None = None,
         can_collide: bool | None = None,
+        once: bool | None = None,
         layer: int | None = None,
         collides_with: int | None = None,
         angular_velocity: float = 0.0,
@@ -107,7 +109,7 @@ class Compound(OnRails):
         self._parts = [center_point]
         self._surface: dict[Surface, Any] = {}
         self.elasticity, self.kick, self.sensor, self.can_collide = elasticity, kick, sensor, can_collide
-        self.layer, self.collides_with = layer, collides_with
+        self.once, self.layer, self.collides_with = once, layer, collides_with
         self._name = text_or_none("name", name)
         self.user = user
         self._take("shapes[{}]", _listed(shapes))

@@ -6,6 +6,7 @@ from typing import Unpack
 
 from carom.checks import pair, refuse
 from carom.geometry.line import closest_on_segment
+from carom.geometry.vector import dot
 from carom.rows.shape import SEGMENT, ShapeRow
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
@@ -157,6 +158,12 @@ class Segment(Shape):
         """The point of it that is nearest to `p`; an end, where `p` lies past that."""
         x, y = pair("p", p)
         return closest_on_segment(*self.p0, *self.p1, x, y)
+
+    def parameter(self, point: Pair) -> float:
+        """How far along it from `p0` the place is that is nearest to `point`; from 0 to its length."""
+        x, y = pair("point", point)
+        (ax, ay), (tx, ty) = self.p0, self.t0
+        return min(max(dot(x - ax, y - ay, tx, ty), 0.0), self.length)
 
 
 def two_ends(start: Pair, end: Pair) -> tuple[Vector, Vector]:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 #: What a compound may say for all parts about their surface.
-Surface: TypeAlias = Literal["elasticity", "kick", "sensor", "can_collide", "layer", "collides_with"]
+Surface: TypeAlias = Literal["elasticity", "kick", "sensor", "can_collide", "once", "layer", "collides_with"]
 
 
 class ShapeOptions(TypedDict, total=False):
@@ -34,6 +34,7 @@ class ShapeOptions(TypedDict, total=False):
     kick: float
     sensor: bool
     can_collide: bool
+    once: bool
     layer: int
     collides_with: int
     motion: MotionName | Motion
@@ -52,7 +53,8 @@ class Shape(Mover):
     All shapes take these keyword arguments, and have them as attributes:
 
     - `elasticity=1.0`, `kick=0.0` (a speed added along the normal at every bounce, in length/s), `sensor=False`,
-      `can_collide=True`, `layer=1`, `collides_with=` all layers;
+      `can_collide=True`, `once=False` (whether it switches `can_collide` off at its first bounce, as a drop target),
+      `layer=1`, `collides_with=` all layers;
     - `motion="static"` or `"kinematic"`, and for kinematic shapes `pivot=None` (default: `position`),
       `angular_velocity=0.0` (rad/s), `rotating=True` (whether that acts), `turn_limits=None` (or `(low, high)`, radians
       of orientation with 0 between them), `velocity=(0, 0)` (of the pivot and the shape with it, in length/s);
@@ -101,6 +103,7 @@ class Shape(Mover):
         kick: float = 0.0,
         sensor: bool = False,
         can_collide: bool = True,
+        once: bool = False,
         layer: int = 1,
         collides_with: int = ALL_LAYERS,
         motion: MotionName | Motion = "static",
@@ -117,6 +120,7 @@ class Shape(Mover):
         row["kick"] = non_negative("kick", kick)
         row["sensor"] = flag("sensor", sensor)
         row["can_collide"] = flag("can_collide", can_collide)
+        row["once"] = flag("once", once)
         row["layer"] = layers("layer", layer)
         row["collides_with"] = layers("collides_with", collides_with)
         row["pivot_x"], row["pivot_y"] = (row["cx"], row["cy"]) if pivot is None else pair("pivot", pivot)
@@ -138,6 +142,16 @@ class Shape(Mover):
     @changing
     def kick(self, value: float) -> None:
         self._put("kick", non_negative("kick", value))
+
+    @property
+    def once(self) -> bool:
+        """Whether it switches `can_collide` off at its first bounce; setting that anew arms it again."""
+        return bool(self._row["once"])
+
+    @once.setter
+    @changing
+    def once(self, value: bool) -> None:
+        self._put("once", flag("once", value))
 
     def _put(self, field: Surface, value: Any) -> None:
         """Write one field, whose value was checked, and tell the world."""

@@ -7,16 +7,16 @@ Each takes a `Recording`, draws into `axes`, or into a new figure where there ar
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import non_negative, refuse, whole
+from carom.checks import non_negative, one_of, refuse, whole
 from carom.draw.paint.painter import Style
 from carom.draw.parts.outlines import line_mark
 from carom.extras import needed
-from carom.record.members import hits_by_label
+from carom.record.members import hits_by_label, touches_by_label
 from carom.spelling import spelled
 from carom.typing import Vector
 from carom.world.hits import HitKind
@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from carom.record import Recording
 
 Floats: TypeAlias = NDArray[np.float64]
+
+#: What `hits_by_shape` may count.
+Counted: TypeAlias = Literal["touches", "hits"]
+COUNTED: tuple[Counted, ...] = ("touches", "hits")
 
 #: How many rows `hits_by_shape` has at most; what was hit less often shares the last one.
 MOST_ROWS = 12
@@ -61,15 +65,19 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
 
 
 @spelled
-def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int = MOST_ROWS) -> Axes:
-    """The plot of how often each shape was hit, the most often first, by name; balls count together.
+def hits_by_shape(
+    recording: Recording, axes: Axes | None = None, *, rows: int = MOST_ROWS, count: Counted = "touches"
+) -> Axes:
+    """The plot of how often each shape was touched, the most often first, by name; balls count together.
 
-    `rows` is how many bars there are at most; the last one then stands for all others.
+    `rows` is how many bars there are at most; the last one then stands for all others. With `count="hits"` every hit
+    counts, also those of a ball that rolls along a shape or comes to rest on it, which are one touch.
     """
     rows = whole("rows", rows, 2)
+    by_label = touches_by_label if one_of("count", count, COUNTED) == "touches" else hits_by_label
     axes = axes or _new_axes()
     bounces = recording.hits[recording.hits["kind"] == HitKind.BOUNCE]
-    bars = hits_by_label(recording, bounces)
+    bars = by_label(recording, bounces)
     if len(bars) > rows:
         rest = bars[rows - 1 :]
         bars = [*bars[: rows - 1], (f"{len(rest)} others", sum(count for _, count in rest))]
@@ -78,7 +86,7 @@ def hits_by_shape(recording: Recording, axes: Axes | None = None, *, rows: int =
     axes.invert_yaxis()
     axes.bar_label(drawn, fmt="{:,.0f}", padding=3)
     axes.margins(x=0.12)
-    return _named(axes, "Hits by shape", "hits", "")
+    return _named(axes, f"{count.capitalize()} by shape", count, "")
 
 
 @spelled

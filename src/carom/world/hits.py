@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,10 @@ from carom.extras import needed
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
 from carom.rows.tables import Rows
 from carom.typing import Vector
+from carom.world.boundary import Boundary, boundary_of
+from carom.world.counts import Counter, Counts
 from carom.world.plural import Plural, vector
+from carom.world.touches import Touches
 
 if TYPE_CHECKING:
     import pyarrow
@@ -32,7 +36,10 @@ class HitKind(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Hit:
-    """One impact, or one crossing of a sensor's edge (then all numbers but the time are 0).
+    """One impact, or one crossing of a sensor's edge.
+
+    A crossing has no setback and no impulse. Point, normal and speed are those with which the ball crossed the edge;
+    zeros at an `EXIT` in discrete mode, where it is over then, and where a switch or a removal has ended it.
 
     `ball` or `shape` is None only where it left the world long ago, or before that was restored, and nobody kept it.
 
@@ -46,6 +53,8 @@ class Hit:
         setback: How far the ball was moved along the normal.
         speed: Length of the velocity of the ball relative to the surface, before.
         impulse: Momentum given to the ball along the normal.
+        velocity: Of the ball, just before, as (x, y).
+        position: Of the ball's centre, as (x, y): in discrete mode where the setback has put it.
     """
 
     time: float
@@ -57,6 +66,8 @@ class Hit:
     setback: float
     speed: float
     impulse: float
+    velocity: Vector
+    position: Vector
 
 
 class Hits(Plural[Hit]):
@@ -98,7 +109,7 @@ class Hits(Plural[Hit]):
     __str__ = __repr__
 
     def _object(self, world: World, row: Any) -> Hit:
-        time, kind, ball, shape, point, normal, setback, speed, impulse = row.item()
+        time, kind, ball, shape, point, normal, setback, speed, impulse, velocity, position = row.item()
         ball_object: Any = world._object_of_hit(ball, self._gone)
         shape_object: Any = world._object_of_hit(shape, self._gone)
         return Hit(
@@ -111,10 +122,48 @@ class Hits(Plural[Hit]):
             setback,
             speed,
             impulse,
+            vector(velocity),
+            vector(position),
         )
 
+    def touches(self) -> Touches:
+        """The touches that these hits belong to: a bounce that begins before the ball has left is none of its own.
+
+        A ball that rolls along an arc touches it once, and one that drops touches the floor as often as it has come up
+        from there by more than a twentieth of its radius. A stay in a sensor is one touch. The hits are taken to be in
+        order of time; an `EXIT` whose `ENTER` is not among them is left out.
+        """
+        return Touches.of_hits(self)
+
+    def counts(self) -> Counts:
+        """The hits counted by what was hit; the same that `World.run(..., keep="counts")` keeps."""
+        counter = Counter()
+        counter.add(self.view(np.ndarray))
+        return Counts.of(self._world, counter.rows(), self._gone)
+
+    def boundary(self, outline: Sequence[Shape]) -> Boundary:
+        """Where along an outline the hits on it are, and from which direction the balls came; two arrays.
+
+        Args:
+            outline: Segments and arcs of the hits' world that join, in order: each begins where the one before ends,
+                with either of its ends. Or one circle. It is taken as it stands now.
+
+        Raises:
+            InvalidArgument: They do not join, or one is of no world or another.
+            LostObject: The hits do not know their world.
+
+        >>> import carom
+        >>> world = carom.World(detection="continuous")
+        >>> room = world.add(carom.Circle((0, 0), 2.0))
+        >>> ball = world.add(carom.Ball((0, 0), 0.5, velocity=(0, 1)))
+        >>> hits, arc_length, sine = world.run(2.0).boundary([room])
+        >>> arc_length / room.length, sine
+        (array([0.25]), array([0.]))
+        """
+        return boundary_of(self, outline)
+
     def table(self) -> pyarrow.Table:
-        """The hits as a pyarrow table: the fields by name, points and normals as `_x` and `_y` columns.
+        """The hits as a pyarrow table: the fields by name, vectors as `_x` and `_y` columns.
 
         Raises:
             MissingExtra: pyarrow is not installed; `pip install "carom[study]"` brings it.

@@ -53,7 +53,7 @@ def _overflowed(arrays: Arrays) -> str:
     balls = arrays.balls.used[arrays.saved[: arrays.balls.count]["overflowed"] != 0]
     kinematic = arrays.shapes.count - int(arrays.states[0]["fixed"])
     copies = arrays.shapes.rows[arrays.shapes.count : arrays.shapes.count + kinematic]
-    shapes = copies[copies["spare"] != 0]
+    shapes = copies[copies["once"] != 0]
     names = [f"{kind} {_ids(rows)}" for kind, rows in (("balls", balls), ("shapes", shapes)) if len(rows)]
     return " and ".join(names) + " became infinite in the step"
 

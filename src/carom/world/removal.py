@@ -78,6 +78,4 @@ def _exit(arrays: Arrays, ball: BallRow, other: Numbered) -> None:
     if state["hits"] >= len(arrays.hits):
         state["wanted_hits"] = state["hits"] + 1
         arrays.extend_hits()
-    write_hit(
-        state, arrays.hits.view(HIT_ROW)[state["hits"]], float(state["time"]), EXIT, int(ball["id"]), int(other["id"])
-    )
+    write_hit(state, arrays.hits.view(HIT_ROW)[state["hits"]], float(state["time"]), EXIT, ball, int(other["id"]))

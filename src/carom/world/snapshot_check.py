@@ -116,8 +116,7 @@ def _check_shapes(shapes: Rows) -> None:
     for field in SHAPE.names or ():
         if shapes[field].dtype.kind == "f":
             need(np.isfinite(shapes[field]).all(), "shapes that are not finite")
-    need((shapes["spare"] == 0).all(), "shapes of another version")
-    for field in ("sensor", "can_collide", "solid", "rotating", "turn_limited"):
+    for field in ("sensor", "can_collide", "solid", "rotating", "turn_limited", "once"):
         need((shapes[field] <= 1).all(), "shapes with bad switches")
     need((shapes["elasticity"] >= 0.0).all() and (shapes["kick"] >= 0.0).all(), "shapes with a bad elasticity or kick")
     need((shapes["radius"][(kinds == CIRCLE) | (kinds == ARC)] > 0.0).all(), "circles with a bad radius")

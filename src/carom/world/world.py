@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time as clock
 from collections.abc import Callable
 from threading import get_ident
-from typing import Any, Self
+from typing import Any, Literal, Self, overload
 
 import numpy as np
 
@@ -20,8 +19,10 @@ from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
 from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
-from carom.typing import BroadPhase, Detection, Pair, Restitution
+from carom.typing import BroadPhase, Detection, Keep, Pair, Restitution
 from carom.world.copies import shallow, state_of, take_state
+from carom.world.counts import Counts
+from carom.world.endings import Until, ending_of
 from carom.world.hits import NO_ROWS, Hits
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.continuous.frames import undo
@@ -30,6 +31,7 @@ from carom.world.kernels.step.rollback import roll_back
 from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
+from carom.world.running import keeper, run_steps
 from carom.world.settings import SETTINGS, Settings, Sides
 from carom.world.sizes import step_size
 from carom.world.snapshot import digest_of, read_snapshot, write_snapshot
@@ -42,9 +44,6 @@ STEP_KERNELS = (step_discrete, step_continuous)
 
 #: Words of a state, as Python reads and writes them: a tenth of what a field of a record takes.
 STEPS_LEFT, HITS = (STATE.fields[name][1] // 8 for name in ("steps_left", "hits"))  # type: ignore[index]
-
-#: Seconds of work between two calls of `progress`, and the least that Ctrl-C has to wait.
-SLICE_SECONDS = 0.1
 
 #: Steps of a run at most; far beyond what can be waited for.
 MOST_STEPS = 2**62
@@ -137,18 +136,60 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         finally:
             turn.free = None
 
+    @overload
+    def run(
+        self,
+        seconds: float,
+        dt: float = 1 / 60,
+        progress: Callable[[float, float], Any] | None = None,
+        *,
+        until: Until = None,
+        until_each: int | None = None,
+        keep: Literal["all", "none"] = "all",
+    ) -> Hits: ...
+    @overload
+    def run(
+        self,
+        seconds: float,
+        dt: float = 1 / 60,
+        progress: Callable[[float, float], Any] | None = None,
+        *,
+        until: Until = None,
+        until_each: int | None = None,
+        keep: Literal["counts"],
+    ) -> Counts: ...
     @spelled
-    def run(self, seconds: float, dt: float = 1 / 60, progress: Callable[[float, float], Any] | None = None) -> Hits:
-        """Every hit of `round(seconds / dt)` steps.
+    def run(
+        self,
+        seconds: float,
+        dt: float = 1 / 60,
+        progress: Callable[[float, float], Any] | None = None,
+        *,
+        until: Until = None,
+        until_each: int | None = None,
+        keep: Keep = "all",
+    ) -> Hits | Counts:
+        """Every hit of `round(seconds / dt)` steps, or of those until something happens.
+
+        It ends with the step in which a condition comes true, the same one in every run from the same state. The hits
+        of that step are all there, so there may be more than were waited for. `world.time` says when that was.
 
         Args:
-            seconds: How long, in seconds of the world's time; not negative.
+            seconds: How long at most, in seconds of the world's time; not negative.
             dt: The length of a step; positive.
             progress: Called with the seconds done and the seconds in all, a few times a second. It may look at the
                 world, ask it and change it, which acts at once; to step it is refused.
+            until: Ends the run. A number: so many hits, of every kind and all balls together. A shape, compound or
+                ball, or a name: a ball has bounced off it or come into it. A function: called after every step with
+                the hits of that step, it returns whether the run is over; it may do what `progress` may.
+            until_each: Ends the run when every ball in the world has had so many hits since it began. A hit of two
+                balls is one of each.
+            keep: "all": every hit is returned. "counts": the hits are counted by what was hit, and no more is kept than
+                the counts and when each pair last met. "none": no hits are returned or kept.
 
         Raises:
-            As `step`; the steps before the one that failed have been made, their hits are in the exception's `hits`.
+            As `step`; the steps before the one that failed have been made, and what is kept of their hits is in the
+            exception's `hits`.
         """
         total = checks.non_negative("seconds", seconds)
         length = checks.positive("dt", dt)
@@ -156,60 +197,11 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             raise checks.refuse("progress", "must be callable or None", progress)
         if total / length > MOST_STEPS:
             raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={dt!r}", seconds)
+        kept = keeper(self, keep)
         if self._watcher == get_ident():
             raise busy()
-        return having(self, self._run, round(total / length), length, progress)
-
-    def _run(self, steps: int, length: float, progress: Callable[[float, float], Any] | None) -> Hits:
-        """The hits of a number of steps, with the world to itself."""
-        self._departed.forget_oldest()
-        done = 0
-        slice_steps = 1
-        parts: list[Rows] = []
-        gone: list[Rows] = []
-        try:
-            while done < steps:
-                count = min(slice_steps, steps - done)
-                began = clock.perf_counter()
-                hits = self._advance(count, length)
-                took = clock.perf_counter() - began
-                done += count
-                if len(hits):
-                    parts.append(hits.view(np.ndarray))
-                if hits._gone is not None:
-                    gone.append(hits._gone)
-                if progress is not None:
-                    self._watched(progress, done * length, steps * length)
-                if took < SLICE_SECONDS:
-                    slice_steps = 2 * slice_steps
-                elif took > 2.0 * SLICE_SECONDS:
-                    slice_steps = max(slice_steps // 2, 1)
-            left = _joined(gone) if gone else None
-            hits = Hits.of(self, _joined(parts), left)
-        except BaseException as error:
-            if isinstance(error, (InvalidArgument, NonFiniteState, ImpactLimit)) and error.hits is not None:
-                error.hits = Hits.of(self, _joined([*parts, error.hits]), _joined(gone) if gone else None)
-            else:
-                self._give_back(parts, gone)
-            raise
-        if left is not None:
-            self._left = left
-        return hits
-
-    def _watched(self, progress: Callable[[float, float], Any], done: float, total: float) -> None:
-        """Call the `progress` of a run, which may use the world."""
-        self._watcher = get_ident()
-        try:
-            progress(done, total)
-        finally:
-            self._watcher = None
-
-    def _give_back(self, parts: list[Rows], gone: list[Rows]) -> None:
-        """Leave the hits of a run that was interrupted to the next step or run."""
-        self._arrays.give_back(_joined(parts))
-        self._forget_block()
-        for rows in gone:
-            self._departed.keep_balls(rows)
+        ending = ending_of(self, until, until_each)
+        return having(self, run_steps, self, round(total / length), length, progress, ending, kept)
 
     def _advance(self, steps: int, dt: float) -> Hits:
         """The hits of a number of steps, made without coming back to Python but for more room and for strays."""
@@ -347,10 +339,3 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
     def __repr__(self) -> str:
         return f"<World at {self.time:g} s: {len(self.shapes)} shapes, {len(self.balls)} balls>"
-
-
-def _joined(parts: list[Rows]) -> Rows:
-    """Tables of hits or of balls as one."""
-    if not parts:
-        return NO_ROWS
-    return parts[0] if len(parts) == 1 else np.concatenate(parts)

@@ -22,6 +22,7 @@ def hits() -> Any:
         row["ball"], row["shape"] = 7, number
         row["point"], row["normal"] = (0.1 + number, -1e-300), (0.6, -0.8)
         row["setback"], row["speed"], row["impulse"] = 1 / 7, 2 / 7, -0.0
+        row["velocity"], row["position"] = (1 / 3, -number), (number / 9, 1e300)
     return rows
 
 
@@ -50,7 +51,8 @@ def test_every_hit_is_a_line_with_all_of_its_digits(tmp_path: Path, hits: Any) -
         for name in ("time", "setback", "speed", "impulse"):
             assert repr(float(told[name])) == repr(float(row[name])), name
         assert (float(told["x"]), float(told["y"])) == tuple(row["point"])
-        assert (float(told["normal_x"]), float(told["normal_y"])) == tuple(row["normal"])
+        for name in ("normal", "velocity", "position"):
+            assert (float(told[f"{name}_x"]), float(told[f"{name}_y"])) == tuple(row[name])
 
 
 @pytest.mark.parametrize("count", [0, 3])

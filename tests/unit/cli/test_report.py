@@ -59,13 +59,13 @@ def test_the_table_of_hits_ends_with_how_many_more_there_are() -> None:
     world = world_of_points(MOST_ROWS + 5)
     lines = told(world, hits=one_hit_each(world)).splitlines()
     assert sum(line.startswith(" point at") for line in lines) == MOST_ROWS
-    assert any(line.split() == ["5", "more", "5"] for line in lines)
+    assert any(line.split() == ["5", "more", "5", "5"] for line in lines)
 
 
 def test_a_sensor_counts_entries() -> None:
     world = world_of_points(1)
     line = next(line for line in told(world, hits=one_hit_each(world, HitKind.ENTER)).splitlines() if "point" in line)
-    assert line.split()[-3:] == ["1", "0", "0"]
+    assert line.split()[-4:] == ["1", "1", "0", "0"]
 
 
 @pytest.mark.parametrize(

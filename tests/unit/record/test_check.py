@@ -65,7 +65,13 @@ def test_a_recording_needs_a_frame(recording: carom.Recording) -> None:
 
 
 @pytest.mark.parametrize(
-    ("field", "value", "told"), [("speed", nan, "hits['speed'] must be finite"), ("kind", 7, "must be a HitKind")]
+    ("field", "value", "told"),
+    [
+        ("speed", nan, "hits['speed'] must be finite"),
+        ("velocity", inf, "hits['velocity'] must be finite"),
+        ("position", nan, "hits['position'] must be finite"),
+        ("kind", 7, "must be a HitKind"),
+    ],
 )
 def test_hits_that_cannot_be_are_refused(recording: carom.Recording, field: str, value: float, told: str) -> None:
     hits = recording.hits.copy()

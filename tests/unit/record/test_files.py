@@ -137,7 +137,7 @@ def head(**values: Any) -> Callable[[bytes], bytes]:
         (files.HEAD, lambda data: b"\xff", "UnicodeDecodeError"),
         (files.HEAD, lambda data: b"[" * 100_000, "nested too deeply"),
         (files.HEAD, lambda data: b"[]", "TypeError"),
-        (files.HEAD, head(format=2), "has format 2; this version of carom reads 1"),
+        (files.HEAD, head(format=1), "has format 1; this version of carom reads 2"),
         (files.HEAD, head(scene={"world": {"gravity": "down"}}), "world.gravity"),
         (files.HEAD, head(scene={"shapes": []}), "shape_ids must name the 0 shapes of the scene"),
         (files.HEAD, head(lengths={"times": 10**6}), "times must have 8000000 bytes"),

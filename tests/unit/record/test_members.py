@@ -1,7 +1,8 @@
 """Everything that was hit has something to call it, and is counted by that."""
 
 import carom
-from carom.record.members import BALLS, hits_by_label, label_of, name_of
+from carom.record.members import BALLS, hits_by_label, label_of, name_of, touches_by_label
+from carom.world.touches import touches_of
 from tests.worlds import crowded, named
 
 
@@ -37,6 +38,10 @@ def test_hits_are_counted_by_what_was_hit_whenever_it_came() -> None:
     assert set(counts) == {"floor", f"shape {late.id}", BALLS}
     assert sum(counts.values()) == len(run.hits)
     assert list(counts.values()) == sorted(counts.values(), reverse=True)
+    touched = dict(touches_by_label(run, run.hits))
+    assert set(touched) == set(counts)
+    assert sum(touched.values()) == len(touches_of(run.hits))
+    assert all(touched[label] <= counts[label] for label in counts)
 
 
 def test_a_part_has_the_name_of_its_compound_unless_it_has_its_own() -> None:

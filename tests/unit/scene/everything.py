@@ -14,7 +14,7 @@ def flipper(**options: Any) -> carom.Compound:
 def world_of_everything() -> carom.World:
     """A world with every kind of shape, at rest and turned, and with settings of its own."""
     world = carom.World(gravity=(0, -1), bounds=carom.Aabb(-9, -9, 9, 9), broad_phase="brute", max_speed=5)
-    world.add(carom.Point((1, 2), name="post", kick=2.0))
+    world.add(carom.Point((1, 2), name="post", kick=2.0, once=True))
     world.add(carom.Segment((4, 0), (0, 0), elasticity=0.25, layer=2, collides_with=3))
     world.add(carom.Gate((0, 5), (0, 7), direction=(1, 0)))
     world.add(carom.Circle((-5, -5), 1.0, solid=True, sensor=True))

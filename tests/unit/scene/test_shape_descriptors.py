@@ -15,6 +15,7 @@ def test_a_shape_is_built_as_described(kind: str) -> None:
         "kick": 2.0,
         "sensor": True,
         "can_collide": False,
+        "once": True,
         "layer": 2,
         "collides_with": 5,
         "motion": "kinematic",

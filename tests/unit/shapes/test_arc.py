@@ -1,6 +1,6 @@
 """Arcs: angles, ends, tangents and box, always in agreement."""
 
-from math import fabs, nextafter, pi, sin
+from math import cos, fabs, nextafter, pi, sin
 
 import pytest
 from hypothesis import assume, given
@@ -128,3 +128,16 @@ def test_balls_are_met_from_both_sides_within_the_sector() -> None:
     assert outside is not None
     assert (inside.normal, outside.normal) == ((0.0, -1.0), (0.0, 1.0))
     assert arc.detect(Ball((-0.001, 9.5), 1)) is None
+
+
+@given(start=st.floats(0, 6.28), span=st.floats(1e-3, 6.28), share=st.floats(0, 1), away=st.floats(0.1, 3))
+def test_a_parameter_is_the_way_from_the_first_end_to_the_nearest_place(
+    start: float, span: float, share: float, away: float
+) -> None:
+    assume(abs(sin(0.5 * span)) > 1e-6)
+    arc = Arc((1, 2), 2, start, start + span)
+    angle = start + share * span
+    along = arc.parameter((1 + away * cos(angle), 2 + away * sin(angle)))
+    assert along == pytest.approx(min(2 * share * span, arc.length), abs=1e-9)
+    assert 0.0 <= along <= arc.length
+    assert (arc.parameter(arc.p0), arc.parameter(arc.p1)) == pytest.approx((0.0, arc.length), abs=1e-9)

@@ -1,5 +1,7 @@
 """Circles: arenas and bumpers."""
 
+from math import pi
+
 import pytest
 
 from carom import Ball, Circle, InvalidArgument
@@ -21,6 +23,15 @@ def test_the_closest_point_is_on_the_perimeter() -> None:
     assert circle.closest_point((1, 2.5)) == (1.0, 5.0)
     assert circle.closest_point((1, 2)) == (4.0, 2.0)
     assert (circle.distance((1, 2.5)), circle.distance((1, 9))) == (2.5, 4.0)
+
+
+def test_a_parameter_is_the_way_round_from_angle_zero() -> None:
+    circle = Circle((1, 2), 3)
+    assert circle.length == 6 * pi
+    assert circle.parameter((9, 2)) == 0.0
+    assert circle.parameter((1, 2)) == 0.0
+    assert circle.parameter((1, 2.5)) == pytest.approx(1.5 * pi)
+    assert circle.parameter((4, 2 - 1e-6)) == pytest.approx(6 * pi - 1e-6)
 
 
 def test_a_ball_inside_bounces_off_the_inside_of_an_arena() -> None:

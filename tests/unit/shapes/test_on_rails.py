@@ -84,6 +84,7 @@ def test_what_fails_on_one_part_changes_none() -> None:
         ("kick", 3.0),
         ("sensor", True),
         ("can_collide", False),
+        ("once", True),
         ("layer", 4),
         ("collides_with", 5),
     ],

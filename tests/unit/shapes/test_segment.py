@@ -80,3 +80,10 @@ def test_the_range_of_numbers_is_not_left() -> None:
         Segment((-1.7e308, 0), (1.7e308, 0))
     assert Segment((0, 0), (1.7e308, 0)).t0 == (1.0, 0.0)
     assert Segment((0, 0), (5e-324, 0)).t0 == (1.0, 0.0)
+
+
+def test_a_parameter_is_the_way_from_the_first_end_to_the_nearest_place() -> None:
+    segment = Segment((4, 3), (0, 0))
+    assert segment.parameter((0.8 * 2 - 0.6, 0.6 * 2 + 0.8)) == pytest.approx(2.0)
+    assert (segment.parameter((-1, -1)), segment.parameter((9, 9))) == (0.0, 5.0)
+    assert segment.parameter(segment.p1) == pytest.approx(5.0)

@@ -24,6 +24,7 @@ def test_options_are_attributes() -> None:
         "kick": 2.0,
         "sensor": True,
         "can_collide": False,
+        "once": True,
         "layer": 4,
         "collides_with": 6,
         "motion": "kinematic",
@@ -57,5 +58,5 @@ def test_signatures_show_the_options_of_every_shape(kind: type[Shape]) -> None:
     parameters = inspect.signature(kind).parameters
     common = list(inspect.signature(Point).parameters)[1:]
     assert list(parameters)[-len(common) :] == common
-    assert len(common) == 14
+    assert len(common) == 15
     assert all(parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in common)

@@ -10,6 +10,7 @@ import pytest
 
 import carom
 from carom.study import plots
+from carom.world.touches import touches_of
 from tests.fresh import printed
 
 mpl.use("Agg")
@@ -90,7 +91,11 @@ def test_a_negative_energy_is_in_sight() -> None:
 def test_hits_are_counted_by_name_the_most_first(falling: carom.Recording) -> None:
     axes = plots.hits_by_shape(falling)
     assert [text.get_text() for text in axes.get_yticklabels()] == ["floor"]
+    assert [bar.get_width() for bar in axes.patches] == [len(touches_of(falling.hits))]
+    assert axes.get_xlabel() == "touches"
+    axes = plots.hits_by_shape(falling, count="hits")
     assert [bar.get_width() for bar in axes.patches] == [len(falling.hits)]
+    assert axes.get_xlabel() == "hits"
     assert len(falling.hits) > 0
 
 
@@ -189,6 +194,7 @@ def test_maxwells_law_has_the_mean_energy_that_it_was_given() -> None:
     ("arguments", "words"),
     [
         ({"plot": "hits_by_shape", "rows": 1}, "rows must be from 2 to .*, not 1"),
+        ({"plot": "hits_by_shape", "count": "balls"}, "count must be"),
         ({"plot": "heat_map", "cells": 0}, "cells must be from 1 to .*, not 0"),
         ({"plot": "speeds", "bins": 0}, "bins must be from 1 to .*, not 0"),
         ({"plot": "speeds", "since": -1.0}, "since must not be negative"),

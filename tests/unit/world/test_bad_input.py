@@ -76,6 +76,9 @@ BAD: dict[str, list[Any]] = {
     "run.dt": [*NO_SIZES, 0, 0.0],
     "seconds": [*NO_SIZES, 1e308],
     "progress": [5, "bar", [], True],
+    "until": [0, -1, 1.5, True, 2**70, "nowhere", b"x", [1], carom.Point((0, 0)), carom.Ball((0, 0), 1), NAN],
+    "until_each": [0, -1, 1.5, True, 2**70, "all", [1]],
+    "keep": ["All", "", None, 1, True],
     "snapshot": [None, 5, "text", b"", b"carom snapshot 1\n", [1]],
     # queries
     "origin": NO_PLACES,

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import pytest
 import carom
 from tests.worlds import crowded, named, quiet
 
-FIELDS = ("time", "kind", "ball", "shape", "point", "normal", "setback", "speed", "impulse")
+FIELDS = ("time", "kind", "ball", "shape", "point", "normal", "setback", "speed", "impulse", "velocity", "position")
 
 
 def some_hits() -> tuple[carom.World, carom.Hits]:
@@ -104,14 +105,53 @@ def test_later_steps_leave_earlier_hits_alone() -> None:
     assert hits.tobytes() == before.tobytes()
 
 
-def test_sensors_say_enter_and_exit_once_each_with_zeros() -> None:
+def test_sensors_say_enter_and_exit_once_each_with_where_the_ball_is() -> None:
     world = quiet()
     up, eye = named(world, "up"), named(world, "eye")
     hits = [hit for hit in world.run(3.0) if hit.shape is eye]
     assert [(hit.kind, hit.ball) for hit in hits] == [(carom.HitKind.ENTER, up), (carom.HitKind.EXIT, up)]
     for hit in hits:
-        assert (hit.point, hit.normal, hit.setback, hit.speed, hit.impulse) == ((0, 0), (0, 0), 0, 0, 0)
-    assert up.velocity == (0.0, 3.0)
+        assert (hit.setback, hit.impulse) == (0, 0)
+        assert hit.velocity == up.velocity == (0.0, 3.0)
+    enter, leave = hits
+    assert leave.position[1] - enter.position[1] == pytest.approx(3.0 * (leave.time - enter.time))
+    assert (enter.normal, enter.speed) == ((0.0, -1.0), 3.0)
+    assert eye.distance(enter.point) == 0.0
+    assert (leave.point, leave.normal, leave.speed) == ((0, 0), (0, 0), 0)
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_a_ball_leaves_each_hit_as_it_comes_to_the_next(detection: Any) -> None:
+    world = carom.World(detection=detection, substeps=8)
+    ball = world.add(carom.Ball((0.3, 0.1), 0.1, (1.7, 2.3), mass=2.0))
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    for a, b in zip(corners, [*corners[1:], corners[0]], strict=True):
+        world.add(carom.Segment(a, b))
+    world.add(carom.Circle((0, 0), 0.2))
+    hits = world.run(3.0)
+    assert len(hits) > 5
+    velocity, normal = hits["velocity"], hits["normal"]
+    assert hits["speed"] == pytest.approx(np.linalg.norm(velocity, axis=1))
+    after = velocity + (hits["impulse"] / ball.mass)[:, None] * normal
+    assert after[:-1] == pytest.approx(velocity[1:])
+    assert after[-1] == pytest.approx(ball.velocity)
+    # At each hit the ball touches, where it has been put.
+    assert hits["position"] - hits["point"] == pytest.approx((0.1 * normal), abs=0.05)
+    assert [hit.shape.distance(hit.position) for hit in hits] == (pytest.approx([0.1] * len(hits), abs=1e-12))
+    if detection == "continuous":
+        flown = after[:-1] * np.diff(hits["time"])[:, None]
+        assert hits["position"][1:] == pytest.approx(hits["position"][:-1] + flown, abs=1e-12)
+
+
+def test_of_two_balls_velocity_and_position_are_those_of_the_one_that_was_added_last() -> None:
+    for detection in ("discrete", "continuous"):
+        world = carom.World(detection=detection)
+        world.add(carom.Ball((0, 0), 1, (0.5, 0.0)))
+        last = world.add(carom.Ball((3, 0), 1, (-1.5, 0.0)))
+        (hit,) = world.run(1.0)
+        assert (hit.ball, hit.velocity) == (last, (-1.5, 0.0))
+        assert hit.speed == 2.0
+        assert hit.position[0] == pytest.approx(2.25, abs=0.01 if detection == "discrete" else 1e-12)
 
 
 def test_a_sensor_that_a_ball_starts_in_is_entered_by_the_first_step() -> None:
@@ -142,12 +182,18 @@ def test_the_table_holds_the_same_columns() -> None:
     _, hits = some_hits()
     table = hits.table()
     names = ["time", "kind", "ball", "shape", "point_x", "point_y", "normal_x", "normal_y"]
-    assert table.column_names == [*names, "setback", "speed", "impulse"]
+    assert table.column_names == [
+        *names,
+        "setback",
+        "speed",
+        "impulse",
+        *(f"{name}_{axis}" for name in ("velocity", "position") for axis in "xy"),
+    ]
     for name in ("time", "kind", "ball", "shape", "setback", "speed", "impulse"):
         assert table[name].to_numpy().tobytes() == hits[name].tobytes()
     for place, axis in enumerate("xy"):
-        assert table[f"point_{axis}"].to_pylist() == hits["point"][:, place].tolist()
-        assert table[f"normal_{axis}"].to_pylist() == hits["normal"][:, place].tolist()
+        for name in ("point", "normal", "velocity", "position"):
+            assert table[f"{name}_{axis}"].to_pylist() == hits[name][:, place].tolist()
     assert [str(field.type) for field in table.schema][:4] == ["double", "int64", "int64", "int64"]
 
 

@@ -101,6 +101,8 @@ def test_leaving_a_sensor_by_removal_is_an_exit_at_that_time(which: str) -> None
     assert (leave.kind, leave.ball, leave.shape) == (carom.HitKind.EXIT, ball, eye)
     assert before <= leave.time <= before + 0.001
     assert (leave.point, leave.normal, leave.setback, leave.speed, leave.impulse) == ((0, 0), (0, 0), 0, 0, 0)
+    assert leave.velocity == ball.velocity
+    assert leave.position == pytest.approx(ball.position, abs=0.0011 * leave.velocity[1])
     assert not [hit for hit in world.run(1.0) if hit.kind == carom.HitKind.EXIT]
 
 

@@ -74,7 +74,7 @@ SHAPE_FAULTS: dict[str, list[Any]] = {
     "solid": [3],
     "rotating": [2],
     "turn_limited": [2],
-    "spare": [1],
+    "once": [2],
     "elasticity": [-1.0],
     "kick": [-0.5, NAN],
     "id": [0, 10**9, -3],

@@ -26,9 +26,10 @@ from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.moment import Balls, Measures, bounces_of
 from carom.draw.picture import box_around, weight_for
 from carom.draw.theme import BALL_INKS, DARK, LIGHT, PRINT, ThemeName
-from carom.record.members import hits_by_label
+from carom.record.members import touches_by_label
 from carom.shapes.aabb import Aabb
 from carom.world.hits import HitKind
+from carom.world.touches import touches_of
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -157,11 +158,11 @@ def energy_column(recording: Recording) -> Plain:
 
 
 def shares(recording: Recording) -> list[tuple[str, int]]:
-    """How many hits there were by what was hit, the most first; shapes of one name count together.
+    """How many touches there were by what was touched, the most first; shapes of one name count together.
 
     After the first `MOST_SHARES` comes what is left, as one count without a label.
     """
-    listed = hits_by_label(recording, recording.hits)
+    listed = touches_by_label(recording, recording.hits)
     rest = sum(count for _, count in listed[MOST_SHARES:])
     return listed[:MOST_SHARES] + ([("", rest)] if rest else [])
 
@@ -173,6 +174,7 @@ def facts(recording: Recording) -> dict[str, str]:
         "frames": len(recording),
         "balls": len(recording.ids),
         "shapes": len(recording.shape_ids),
+        "touches": len(touches_of(recording.hits)),
         "bounces": np.count_nonzero(kinds == HitKind.BOUNCE),
         "sensors entered": np.count_nonzero(kinds == HitKind.ENTER),
     }

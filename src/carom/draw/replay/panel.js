@@ -72,10 +72,10 @@ class StatisticsPanel {
     this.chart.setAttribute("aria-label", "Kinetic energy over time");
   }
 
-  /** The bars of hits by shape; a bar filters the list of hits. */
+  /** The bars of touches by shape; a bar filters the list of hits. */
   addShares(choose) {
     if (!this.run.shares.length) return;
-    this.place.append(make("h2", "", "Hits by shape"));
+    this.place.append(make("h2", "", "Touches by shape"));
     for (const [label, count] of this.run.shares) {
       const row = this.place.appendChild(make(label ? "button" : "div", "share"));
       row.append(make("span", "label", label || "all others"), make("span", "count", grouped(count)));

@@ -10,6 +10,7 @@ from carom.draw.page.run import MOST_SHARES, balls_on_stage, energy_column, fact
 from carom.draw.parts.layers import Layer
 from carom.draw.theme import ThemeName
 from carom.world.hits import HitKind
+from carom.world.touches import touches_of
 from tests.pages.runs import bare_runs, furnished_run
 from tests.unit.draw.page.unpacking import unpacked
 from tests.worlds import world_of
@@ -31,15 +32,15 @@ def test_no_ink_is_missing_from_a_theme() -> None:
 
 def test_the_counts_are_of_names_and_end_with_all_others() -> None:
     counts = dict(shares(furnished_run()))
-    hits = furnished_run().hits
-    assert sum(counts.values()) == len(hits)
-    assert counts["wall"] == sum(furnished_run().label_of(shape) == "wall" for shape in hits["shape"].tolist())
+    touches = touches_of(furnished_run().hits)
+    assert sum(counts.values()) == len(touches) < len(furnished_run().hits)
+    assert counts["wall"] == sum(furnished_run().label_of(shape) == "wall" for shape in touches["shape"].tolist())
 
 
 def test_a_long_list_of_counts_is_cut_short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("carom.draw.page.run.MOST_SHARES", 1)
     first, rest = shares(furnished_run())
-    assert rest == ("", len(furnished_run().hits) - first[1])
+    assert rest == ("", len(touches_of(furnished_run().hits)) - first[1])
     assert MOST_SHARES > 1
 
 
@@ -59,6 +60,7 @@ def test_facts_count_what_there_was_and_leave_out_what_was_not() -> None:
     assert told["frames"] == f"{len(run):,}"
     for label, kind in (("bounces", HitKind.BOUNCE), ("sensors entered", HitKind.ENTER)):
         assert int(told[label]) == int((run.hits["kind"] == kind).sum()) > 0
+    assert int(told["touches"]) == len(touches_of(run.hits))
     assert "0" not in told.values()
 
 

@@ -37,11 +37,13 @@ from carom.world.kernels.continuous.flight import age_at
 from carom.world.kernels.continuous.island import join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame, reach_of
-from carom.world.kernels.step.hits import record_hit, write_hit
+from carom.world.kernels.step.hits import cross_ball, record_hit
 from carom.world.kernels.step.motion import wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
+from carom.world.kernels.step.spending import spend
 
 
 def impact_with_shape(
@@ -65,7 +67,7 @@ def impact_with_shape(
     shape = shapes[row]
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         add_relation(state, relations, ball, i, INSIDE_SHAPE, row)
-        write_hit(state, hits[state["hits"]], float(state["now"]), ENTER, int(ball["id"]), int(shape["id"]))
+        cross_edge(state, hits, ENTER, ball, flight, shape)
         return
     time = age_of_motion(shape, flight)
     let_fly(state, ball, flight)
@@ -186,7 +188,9 @@ def rebound_off(
     ball["vx"] -= behind * nx
     ball["vy"] -= behind * ny
     speed, impulse = length(vx - ux, vy - uy), gain * float(ball["mass"])
-    record_hit(state, hits[state["hits"]], float(state["now"]), ball, shape, touch, speed, impulse)
+    record_hit(state, hits[state["hits"]], float(state["now"]), ball, shape, touch, (vx, vy), speed, impulse)
+    if shape["once"] != 0:
+        spend(state, shape)
 
 
 def part_least(ball: BallRow, speed: float, nx: float, ny: float) -> None:
@@ -336,7 +340,7 @@ def impact_of_balls(
     dx, dy = float(second["x"]) - float(first["x"]), float(second["y"]) - float(first["y"])
     if first["sensor"] != 0 or second["sensor"] != 0:
         add_relation(state, relations, second, j, INSIDE_BALL, i)
-        write_hit(state, hits[state["hits"]], float(state["now"]), ENTER, int(second["id"]), int(first["id"]))
+        cross_ball(state, hits[state["hits"]], float(state["now"]), ENTER, second, first)
         return False
     vx, vy = float(first["vx"]), float(first["vy"])
     wx, wy = float(second["vx"]), float(second["vy"])
@@ -382,7 +386,7 @@ def impact_of_balls(
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
     touch = (px, py, nx, ny, setback)
-    record_hit(state, hits[state["hits"]], float(state["now"]), second, first, touch, speed, gain)
+    record_hit(state, hits[state["hits"]], float(state["now"]), second, first, touch, (wx, wy), speed, gain)
     return pushed
 
 

@@ -36,8 +36,9 @@ from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import change_movers
 from carom.world.kernels.continuous.predict import predict
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
-from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.hits import cross_ball
 from carom.world.kernels.step.relations import add_relation, drop_kind, find_relation, has_kind
 
 
@@ -75,7 +76,7 @@ def deal_with(
             meet_balls(state, balls, shapes, index, cells, members, hits, relations, flights, low, high)
         else:
             drop_kind(state, relations, balls[high], INSIDE_BALL, low)
-            write_exit(state, hits, balls[high], int(balls[low]["id"]))
+            cross_ball(state, hits[state["hits"]], float(state["now"]), EXIT, balls[high], balls[low])
     elif event == HIT_SHAPE and came_past_end(ball, flight, shapes[partner], relations, from_x, from_y, age):
         if not find_relation(relations, ball, PASSING, partner):
             add_relation(state, relations, ball, i, PASSING, partner)
@@ -201,7 +202,7 @@ def end_quietly(
         drop_kind(state, relations, ball, LASTING, partner)
     elif event == EXIT_SHAPE:
         drop_kind(state, relations, ball, INSIDE_SHAPE, partner)
-        write_exit(state, hits, ball, int(shapes[partner]["id"]))
+        cross_edge(state, hits, EXIT, ball, flight, shapes[partner])
     elif event == CLEAR:
         drop_kind(state, relations, ball, PASSING, partner)
     elif event == STOP:
@@ -213,11 +214,6 @@ def end_quietly(
         ball["asleep"] = 1
         state["sleeping"] += 1
         flight["kind"] = ASLEEP
-
-
-def write_exit(state: StateRow, hits: Table[HitRow], ball: BallRow, other: int) -> None:
-    """Record that a ball has left what senses it, or the reverse."""
-    write_hit(state, hits[state["hits"]], float(state["now"]), EXIT, int(ball["id"]), other)
 
 
 def change_shapes(

@@ -36,6 +36,7 @@ from carom.rows.state import (
 )
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.shape_index import FIXED
+from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
 from carom.world.kernels.continuous.instants import is_before
@@ -183,11 +184,7 @@ def fly(
     most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 4
     horizon, horizon_low = float(state["horizon"]), float(state["horizon_low"])
     while True:
-        # All balls of an island may begin to pass something at once.
-        wanted = most * (int(state["relations"]) + 1)
-        if len(hits) - state["hits"] < most or relations_room(state, relations) < wanted:
-            state["wanted_hits"] = state["hits"] + most
-            state["wanted_relations"] = state["relations"] + wanted
+        if lacks_room_for_event(state, len(hits), relations, most):
             return NEEDS_ROOM
         i = row_of(queue[0]) if state["queued"] > 0 else -1
         change, change_low = float(state["change"]), float(state["change_low"])
@@ -209,19 +206,42 @@ def fly(
         if is_before(float(state["now"]), float(state["now_low"]), time, low):
             state["now"] = time
             state["now_low"] = low
+        spent = int(state["spent"])
         deal_with(
             state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, island, i
         )  # fmt: skip
-        if is_over(state, balls, flights, hits, i):
+        over = is_over(state, balls, flights, hits, i)
+        if state["spent"] != spent:
+            let_go(state, balls, shapes, order, index, cells, members, hits, relations, flights, island[0])
+            state["foreseen"] = 0
+        if over:
             state["horizon"] = state["now"]
             state["horizon_low"] = state["now_low"]
             enter_stage(state, SHOW)
+            return DONE
+        if state["foreseen"] == 0:
+            enter_stage(state, FORESEE)
             return DONE
         state["events"] += 1
         if state["events"] > EVENTS_BETWEEN_PAUSES:
             return PAUSE
     enter_stage(state, SHOW)
     return DONE
+
+
+def lacks_room_for_event(state: StateRow, hits: int, relations: Table[RelationRow], most: int) -> bool:
+    """True if a table of so many hits, or the relations, may lack room for the next event: `most` hits and relations.
+
+    All balls of an island may begin to pass something at once, and a shape that switches itself off may end every
+    relation there is with a hit.
+    """
+    wanted_hits = most + int(state["relations"])
+    wanted = most * (int(state["relations"]) + 1)
+    if hits - state["hits"] >= wanted_hits and relations_room(state, relations) >= wanted:
+        return False
+    state["wanted_hits"] = state["hits"] + wanted_hits
+    state["wanted_relations"] = state["relations"] + wanted
+    return True
 
 
 def is_over(

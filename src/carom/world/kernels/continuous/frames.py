@@ -50,6 +50,7 @@ from carom.world.kernels.step.rollback import (
     is_sound,
     shapes_are_sound,
 )
+from carom.world.kernels.step.spending import keep_spent, unspend
 
 
 def begin_film_step(
@@ -284,9 +285,9 @@ def drop_what_is_off(
                 continue
             time = float(state["now"])
             if kind == INSIDE_SHAPE:
-                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
             elif kind == INSIDE_BALL:
-                write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
             place = drop_relation(state, relations, ball, place, before)
 
 
@@ -304,7 +305,8 @@ def finish_frame(
     state["now"] = state["horizon"]
     state["now_low"] = state["horizon_low"]
     stopped = is_stopped(state, flights)
-    last = state["steps_left"] == 1 or stopped or state["bounded"] != 0
+    enough = 0 < state["stop_hits"] <= state["hits"]
+    last = state["steps_left"] == 1 or stopped or enough or state["bounded"] != 0
     if not is_shown_sound(state, balls, flights):
         undo(states, balls, shapes, order, saved, relations, flights)
         return NOT_FINITE
@@ -319,7 +321,9 @@ def finish_frame(
         find_strays(state, balls)
     state["time"] = state["horizon"]
     state["time_low"] = state["horizon_low"]
-    state["steps_left"] = 0 if stopped else state["steps_left"] - 1
+    keep_spent(state, shapes)
+    state["steps_made"] += 1
+    state["steps_left"] = 0 if stopped or enough else state["steps_left"] - 1
     state["stage"] = BEGIN
     if stopped:
         return TOO_MANY_IMPACTS
@@ -387,7 +391,7 @@ def undo(
     flights: Table[FlightRow],
 ) -> None:
     """Put everything back to what it was when the step began; the copies tell what was not finite any more."""
-    number = int(states[0]["step_number"])
+    number, spent = int(states[0]["step_number"]), int(states[0]["spent"])
     for i in range(states[0]["balls"]):
         x, y, vx, vy = place_after(balls[i], flights[i], age_now(states[0], flights[i]))
         sound = x - x == 0.0 and y - y == 0.0 and vx - vx == 0.0 and vy - vy == 0.0
@@ -400,7 +404,9 @@ def undo(
     for k in range(fixed, count):
         sound = is_in_reach(shapes[order[k]])
         shapes[order[k]] = shapes[count + k - fixed]
-        shapes[count + k - fixed]["spare"] = 0 if sound else 1
+        shapes[count + k - fixed]["once"] = 0 if sound else 1
+    if spent > 0:
+        unspend(shapes, count)
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]

@@ -79,9 +79,9 @@ def sweep_relations(
                 place = int(relations[place]["next"])
             else:
                 if kind == INSIDE_SHAPE:
-                    write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(shapes[other]["id"]))
+                    write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
                 elif kind == INSIDE_BALL:
-                    write_hit(state, hits[state["hits"]], time, EXIT, int(ball["id"]), int(balls[other]["id"]))
+                    write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
                 place = drop_relation(state, relations, ball, place, before)
 
 

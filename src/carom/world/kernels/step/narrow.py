@@ -29,10 +29,11 @@ from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, Saved
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import DISCRETE, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.step.hits import record_hit, write_hit
+from carom.world.kernels.step.hits import cross_ball, record_hit, write_crossing
 from carom.world.kernels.step.motion import rouse, wake
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.kernels.step.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
+from carom.world.kernels.step.spending import spend
 from carom.world.kernels.step.times import hit_time, rest_speed
 
 BOTH_DUE = SHAPES_DUE | PAIRS_DUE
@@ -157,7 +158,11 @@ def meet_shape(
     if shape["sensor"] != 0 or ball["sensor"] != 0:
         if not find_relation(relations, ball, INSIDE_SHAPE, shape_row):
             add_relation(state, relations, ball, ball_row, INSIDE_SHAPE, shape_row)
-            write_hit(state, hits[state["hits"]], hit_time(state), ENTER, int(ball["id"]), int(shape["id"]))
+            ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, 0.0)
+            speed = length(float(ball["vx"]) - ux, float(ball["vy"]) - uy)
+            write_crossing(
+                state, hits[state["hits"]], hit_time(state), ENTER, ball, int(shape["id"]), (px, py, nx, ny), speed
+            )
         return False
     if find_relation(relations, ball, PASSING, shape_row):
         return False
@@ -255,7 +260,11 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
     ball["vy"] = new_y
     wake(state, ball)
     impulse = gain * float(ball["mass"])
-    record_hit(state, hit, hit_time(state), ball, shape, touch, length(wx, wy), impulse)
+    record_hit(state, hit, hit_time(state), ball, shape, touch, (vx, vy), length(wx, wy), impulse)
+    if shape["once"] != 0:
+        spend(state, shape)
+        # What rested on it falls with the next step.
+        state["wake"] = 1
 
 
 def approaches(s: float, squares: float) -> bool:
@@ -307,7 +316,7 @@ def meet_sensing_ball(
     """Let overlapping balls, of which one is a sensor, be inside each other. There must be room for a relation."""
     if not find_relation(relations, second, INSIDE_BALL, i):
         add_relation(state, relations, second, j, INSIDE_BALL, i)
-        write_hit(state, hits[state["hits"]], hit_time(state), ENTER, int(second["id"]), int(first["id"]))
+        cross_ball(state, hits[state["hits"]], hit_time(state), ENTER, second, first)
 
 
 def meet_ball(
@@ -428,4 +437,4 @@ def bounce_pair(
     wake(state, second)
     # Not from the change of either's speed: that of a far heavier ball is lost in the rounding of its speed.
     impulse = (1.0 + elasticity) * (first_mass / (first_mass + second_mass)) * second_mass * (u1 - u2)
-    record_hit(state, hit, hit_time(state), second, first, touch, length(wx - vx, wy - vy), impulse)
+    record_hit(state, hit, hit_time(state), second, first, touch, (wx, wy), length(wx - vx, wy - vy), impulse)

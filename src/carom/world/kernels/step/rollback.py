@@ -11,6 +11,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, REFUSED, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.step.motion import wake_all
+from carom.world.kernels.step.spending import keep_spent, unspend
 
 
 def is_finite(value: float) -> bool:
@@ -132,7 +133,7 @@ def save(
     save_balls(state, balls, saved)
     count, fixed = int(state["shapes"]), int(state["fixed"])
     for k in range(fixed, count):
-        # Static shapes do not change in a step, so they need no copy.
+        # Static shapes do not change in a step but by switching themselves off, so they need no copy.
         shapes[count + k - fixed] = shapes[order[k]]
     # The whole pool in use is copied, free rows too: they are linked by their numbers.
     half = len(relations) // 2
@@ -150,6 +151,7 @@ def roll_back(
     relations: Table[RelationRow],
 ) -> None:
     """Put everything back to where it was when `save` was called; the copies tell what was not finite any more."""
+    spent = int(states[0]["spent"])
     states[0] = states[1]
     state = states[0]
     for i in range(state["balls"]):
@@ -168,7 +170,9 @@ def roll_back(
     for k in range(fixed, count):
         sound = is_in_reach(shapes[order[k]])
         shapes[order[k]] = shapes[count + k - fixed]
-        shapes[count + k - fixed]["spare"] = 0 if sound else 1
+        shapes[count + k - fixed]["once"] = 0 if sound else 1
+    if spent > 0:
+        unspend(shapes, count)
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]
@@ -196,7 +200,9 @@ def end_step(
         # The next step compares with this, to see what was changed through a view while something slept.
         save_balls(state, balls, saved)
     state["time"] += state["dt"]
-    state["steps_left"] -= 1
+    keep_spent(state, shapes)
+    state["steps_made"] += 1
+    state["steps_left"] = 0 if 0 < state["stop_hits"] <= state["hits"] else state["steps_left"] - 1
     state["stage"] = BEGIN
     return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
 

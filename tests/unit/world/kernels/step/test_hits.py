@@ -70,9 +70,12 @@ def test_every_field_of_a_row_is_written_and_counted() -> None:
     balls, shapes = ball_rows([(0.0, 0.0, 1.0)]), np.zeros(1, SHAPE)
     state, hits = state_row(balls, "grid", 1), np.full(2, 9, HIT).view(HIT_ROW)
     balls["id"], shapes["id"] = 4, 5
-    record_hit(state, hits[0], 0.5, balls[0], shapes[0], (1.0, 2.0, 0.6, 0.8, 0.25), 3.0, 7.0)
-    write_hit(state, hits[1], 0.75, EXIT, 4, 5)
+    balls["x"], balls["y"], balls["vx"], balls["vy"] = 1.5, 2.5, -3.0, 6.0
+    record_hit(state, hits[0], 0.5, balls[0], shapes[0], (1.0, 2.0, 0.6, 0.8, 0.25), (8.0, 9.0), 3.0, 7.0)
+    write_hit(state, hits[1], 0.75, EXIT, balls[0], 5)
     bounce, leave = hits.view(HIT).tolist()
     assert (state["hits"], state["collisions"]) == (2, 1)
-    assert [np.asarray(part).tolist() for part in bounce] == [0.5, BOUNCE, 4, 5, [1, 2], [0.6, 0.8], 0.25, 3, 7]
-    assert [np.asarray(part).tolist() for part in leave] == [0.75, EXIT, 4, 5, [0, 0], [0, 0], 0, 0, 0]
+    vectors = [np.asarray(part).tolist() for part in bounce]
+    assert vectors == [0.5, BOUNCE, 4, 5, [1, 2], [0.6, 0.8], 0.25, 3, 7, [8, 9], [1.5, 2.5]]
+    vectors = [np.asarray(part).tolist() for part in leave]
+    assert vectors == [0.75, EXIT, 4, 5, [0, 0], [0, 0], 0, 0, 0, [-3, 6], [1.5, 2.5]]

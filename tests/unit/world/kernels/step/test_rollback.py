@@ -74,7 +74,7 @@ def test_what_a_step_has_done_is_undone_to_the_bit() -> None:
     # It is told besides what was not finite any more.
     assert np.flatnonzero(arrays.saved["overflowed"][: len(balls)]).tolist() == [3]
     copies = arrays.shapes.rows[len(shapes) : len(shapes) + len(moving)]
-    assert copies["spare"].tolist() == [1] + [0] * (len(moving) - 1)
+    assert copies["once"].tolist() == [1] + [0] * (len(moving) - 1)
 
 
 @pytest.mark.parametrize(("removes", "status"), [(True, HAS_STRAYS), (False, DONE)])

@@ -1,0 +1,163 @@
+"""Hits as places along the outline of a table, and the directions in which balls came there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import refuse
+from carom.constants import TWO_PI
+from carom.rows.hit import EXIT
+from carom.shapes.arc import Arc
+from carom.shapes.circle import Circle
+from carom.shapes.segment import Segment
+
+if TYPE_CHECKING:
+    from carom.typing import Vector
+    from carom.world.hits import Hits
+    from carom.world.world import World
+
+#: Part of an outline's length by which the ends of two of its shapes may miss each other.
+JOINT_GAP = 1e-9
+
+#: What an outline is made of, told where something else was given.
+PIECES = "must be a Segment, an Arc or a Circle of the world of the hits"
+
+
+class Boundary(NamedTuple):
+    """Hits on an outline in the coordinates of Birkhoff, one number of each array for each of `hits`.
+
+    Attributes:
+        hits: Those of the hits that are on the outline, without `EXIT`s.
+        arc_length: How far along the outline each is, from the first end of the first shape.
+        sine: The sine of the angle of incidence, in [-1, 1]: the part of the ball's velocity along the outline;
+            positive where it goes on in the outline's direction. 0 for a ball at rest.
+    """
+
+    hits: Hits
+    arc_length: NDArray[np.float64]
+    sine: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """A shape of an outline, and whether the outline goes along it from its first end to the second."""
+
+    shape: Segment | Arc | Circle
+    forward: bool
+
+    @property
+    def begin(self) -> Vector:
+        """Where the outline comes to it."""
+        return _ends(self.shape)[0 if self.forward else 1]
+
+    @property
+    def end(self) -> Vector:
+        """Where the outline leaves it."""
+        return _ends(self.shape)[1 if self.forward else 0]
+
+
+def boundary_of(hits: Hits, outline: Any) -> Boundary:
+    """What `Hits.boundary` returns."""
+    pieces = _pieces_of(hits._world, outline)
+    ids = np.array([piece.shape.id for piece in pieces])
+    by_id = np.argsort(ids)
+    shapes = hits["shape"]
+    places = by_id[np.minimum(np.searchsorted(ids[by_id], shapes), len(ids) - 1)]
+    on = (ids[places] == shapes) & (hits["kind"] != EXIT)
+    found = hits if on.all() else hits[on]
+    rows, places = found.view(np.ndarray), places if on.all() else places[on]
+    lengths = np.array([piece.shape.length for piece in pieces])
+    along, tangent_x, tangent_y = _along(pieces, lengths, rows["point"], places)
+    forward = np.array([piece.forward for piece in pieces])
+    # A piece that is gone along backwards begins at its far end.
+    begins = np.concatenate([[0.0], np.cumsum(lengths)[:-1]]) + np.where(forward, 0.0, lengths)
+    ways = np.where(forward, 1.0, -1.0)[places]
+    along = begins[places] + ways * along
+    return Boundary(found, along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y))
+
+
+def _along(
+    pieces: list[_Piece], lengths: NDArray[np.float64], points: NDArray[np.float64], places: NDArray[np.intp]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """How far each point is along its piece from that one's first end, and the piece's unit tangent there, x and y."""
+    x, y = np.ascontiguousarray(points[:, 0]), np.ascontiguousarray(points[:, 1])
+    along, tangent_x, tangent_y = np.empty(len(x)), np.empty(len(x)), np.empty(len(x))
+    by_piece = np.argsort(places, kind="stable")
+    begins = np.searchsorted(places, np.arange(len(pieces) + 1), sorter=by_piece)
+    for number, piece in enumerate(pieces):
+        mine = by_piece[begins[number] : begins[number + 1]]
+        shape = piece.shape
+        if isinstance(shape, Segment):
+            (ax, ay), (tx, ty) = shape.p0, shape.t0
+            along[mine] = (x[mine] - ax) * tx + (y[mine] - ay) * ty
+            tangent_x[mine], tangent_y[mine] = tx, ty
+        else:
+            (cx, cy), radius = shape.center, shape.radius
+            dx, dy = x[mine] - cx, y[mine] - cy
+            first = shape.start_angle if isinstance(shape, Arc) else 0.0
+            turned = np.mod(np.arctan2(dy, dx) - first, TWO_PI)
+            # What rounding has put before the first end comes out as almost a whole turn.
+            along[mine] = radius * np.where(TWO_PI - turned < turned - lengths[number] / radius, 0.0, turned)
+            away = np.sqrt(dx * dx + dy * dy)
+            tangent_x[mine], tangent_y[mine] = -dy / away, dx / away
+    return np.clip(along, 0.0, lengths[places]), tangent_x, tangent_y
+
+
+def _parts_along(
+    velocities: NDArray[np.float64], tangent_x: NDArray[np.float64], tangent_y: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The part of each velocity that is along its tangent, in [-1, 1]; 0 of none."""
+    x, y = np.ascontiguousarray(velocities[:, 0]), np.ascontiguousarray(velocities[:, 1])
+    speed = np.sqrt(x * x + y * y)
+    parts = np.divide(x * tangent_x + y * tangent_y, speed, out=np.zeros(len(x)), where=speed > 0.0)
+    return np.asarray(np.clip(parts, -1.0, 1.0))
+
+
+def _pieces_of(world: World, outline: Any) -> list[_Piece]:
+    """The pieces of an outline, each the way that it is gone along; raises for shapes that do not join."""
+    if isinstance(outline, (str, bytes)) or not isinstance(outline, Sequence) or len(outline) == 0:
+        raise refuse("outline", "must be a list of shapes that join, in order", outline)
+    for place, shape in enumerate(outline):
+        if not isinstance(shape, (Segment, Arc, Circle)) or shape.world is not world:
+            raise refuse(f"outline[{place}]", PIECES, shape)
+        if shape in outline[:place]:
+            raise refuse(f"outline[{place}]", "must not be in it twice", shape)
+        if isinstance(shape, Circle) and len(outline) > 1:
+            raise refuse(f"outline[{place}]", "must be the only one, for a circle joins no other shape", shape)
+    gap = JOINT_GAP * sum(shape.length for shape in outline)
+    pieces = [_Piece(outline[0], _goes_forward(outline, gap))]
+    for place, shape in enumerate(outline[1:], 1):
+        here = pieces[-1].end
+        forward = _is_near(here, _ends(shape)[0], gap)
+        if not forward and not _is_near(here, _ends(shape)[1], gap):
+            raise refuse(f"outline[{place}]", f"must begin or end where outline[{place - 1}] ends, at {here}", shape)
+        pieces.append(_Piece(shape, forward))
+    return pieces
+
+
+def _goes_forward(outline: Sequence[Segment | Arc | Circle], gap: float) -> bool:
+    """Whether an outline goes along its first shape from that one's first end on; so it does where both would do."""
+    if len(outline) == 1:
+        return True
+    first, second = _ends(outline[0])
+    ends = _ends(outline[1])
+    return any(_is_near(second, end, gap) for end in ends) or not any(_is_near(first, end, gap) for end in ends)
+
+
+def _ends(shape: Segment | Arc | Circle) -> tuple[Vector, Vector]:
+    """The ends of a shape; of a circle, which has none, twice the place at angle 0."""
+    if isinstance(shape, Circle):
+        x, y = shape.center
+        return (x + shape.radius, y), (x + shape.radius, y)
+    return shape.p0, shape.p1
+
+
+def _is_near(a: Vector, b: Vector, gap: float) -> bool:
+    """Whether two places are no farther than a gap from each other."""
+    return hypot(a[0] - b[0], a[1] - b[1]) <= gap

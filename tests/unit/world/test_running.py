@@ -1,0 +1,90 @@
+"""What a run keeps of its hits."""
+
+from math import nan
+
+import numpy as np
+import pytest
+
+import carom
+from carom.world.counts import Counts
+from tests.worlds import bits, crowded
+
+
+def test_a_run_that_keeps_counts_counts_what_one_that_keeps_all_has() -> None:
+    world, twin = crowded(), crowded()
+    counts = world.run(4.0, keep="counts")
+    hits = twin.run(4.0, keep="all")
+    assert isinstance(counts, Counts)
+    assert counts.tobytes() == hits.counts().tobytes()
+    assert counts["bounces"].sum() > 50
+    assert [count.shape.id for count in counts] == counts["shape"].tolist()
+    assert world.digest() == twin.digest()
+
+
+def test_a_run_that_keeps_nothing_goes_the_same_way() -> None:
+    world, twin = crowded(), crowded()
+    hits = world.run(0.5, keep="none")
+    assert isinstance(hits, carom.Hits)
+    assert len(hits) == 0
+    twin.run(0.5)
+    assert world.digest() == twin.digest()
+    assert bits(world.step(1 / 60)) == bits(twin.step(1 / 60))
+
+
+@pytest.mark.parametrize("keep", ["none", "counts"])
+def test_what_is_not_kept_takes_no_room(keep: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("carom.world.running.SLICE_SECONDS", 0.0)
+    monkeypatch.setattr("carom.world.counts.GATHERED", 100)
+    world = carom.World(detection="continuous", substeps=1)
+    world.add(carom.Segment((-1, -1), (-1, 1)), carom.Segment((1, -1), (1, 1)))
+    world.add(carom.Ball((0, 0), 0.5, velocity=(90, 0)))
+    kept = world.run(20.0, dt=0.1, keep=keep)
+    assert world.statistics.collisions > 1700
+    assert len(world._arrays.hits) < 200
+    assert kept.nbytes < 1000
+
+
+def test_the_strays_of_a_run_are_told_whatever_it_keeps() -> None:
+    for keep in ("all", "none", "counts"):
+        world = carom.World(bounds=(-1, -1, 1, 1), remove_strays=True)
+        world.add(carom.Ball((0, 0), 0.1, (5, 0), name="lost"))
+        world.run(1.0, keep=keep)
+        assert [ball.name for ball in world.strays] == ["lost"]
+
+
+def test_a_failure_tells_what_was_kept_until_then() -> None:
+    for keep in ("all", "none", "counts"):
+        world = crowded()
+
+        def spoil(done: float, total: float, world: carom.World = world) -> None:
+            if done > 0.4:
+                world.balls.velocity[0] = nan
+
+        with pytest.raises(carom.NonFiniteState) as caught:
+            world.run(5.0, progress=spoil, keep=keep)
+        hits = crowded().run(world.time)
+        if keep == "counts":
+            assert caught.value.hits.tobytes() == hits.counts().tobytes()
+        else:
+            assert bits(caught.value.hits) == (bits(hits) if keep == "all" else b"")
+
+
+def test_an_interruption_leaves_only_all_hits_to_the_next_step() -> None:
+    for keep in ("all", "none", "counts"):
+        world, straight = crowded(), crowded()
+
+        def stop(done: float, total: float) -> None:
+            if done > 0.4:
+                raise KeyboardInterrupt
+
+        with pytest.raises(KeyboardInterrupt):
+            world.run(5.0, progress=stop, keep=keep)
+        before = straight.run(world.time)
+        after = straight.step(1 / 60)
+        found = world.step(1 / 60)
+        assert np.asarray(found["time"]).tolist() == ([*before["time"]] if keep == "all" else []) + [*after["time"]]
+
+
+def test_other_words_are_refused() -> None:
+    with pytest.raises(carom.InvalidArgument, match="keep must be"):
+        carom.World().run(1.0, keep="some")
