@@ -16,14 +16,13 @@ from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
-from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Keep, Pair, Restitution
 from carom.world.copies import shallow, state_of, take_state
 from carom.world.counts import Counts
 from carom.world.endings import Until, ending_of
-from carom.world.hits import NO_ROWS, Hits
+from carom.world.hits import Hits
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.continuous.frames import undo
 from carom.world.kernels.step.discrete import step_discrete
