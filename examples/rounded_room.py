@@ -24,7 +24,7 @@ before = world.balls.velocity.copy()
 for _ in range(60):
     trace.note(world.step(1 / 60))
 speeds = (world.balls.velocity**2).sum(axis=1) ** 0.5
-print(f"the room is {len(room)} shapes, the ellipse {len(ellipse)} arcs; the balls have {speeds.min():.12f} of speed or more")
+print(f"{len(room)} shapes of a room and {len(ellipse)} arcs of an ellipse; the slowest ball has {speeds.min():.12f}")
 
 picture = draw.picture_of(world, "A rounded room", trace=trace, size=760)
 Path("rounded_room.svg").write_text(draw.svg(picture), encoding="utf-8")

@@ -351,6 +351,7 @@ TABLE = svg(
 )
 
 
+@pytest.mark.slow
 def test_a_drawing_is_checked_run_and_shown(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "table.svg").write_text(TABLE)
     status, out, _ = carom_says(capsys, "check", "table.svg")
