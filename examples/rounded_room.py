@@ -20,7 +20,6 @@ for k in range(20):
     world.add(carom.Ball((-5 + 0.02 * k, -2.0 + 0.2 * k), radius=0.04, velocity=(3, 0.4), layer=2, collides_with=1))
 
 trace = draw.Trace(world)
-before = world.balls.velocity.copy()
 for _ in range(60):
     trace.note(world.step(1 / 60))
 speeds = (world.balls.velocity**2).sum(axis=1) ** 0.5
