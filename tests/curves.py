@@ -43,14 +43,11 @@ def exact_distance(shape: Shape, x: mpf, y: mpf) -> mpf:
 def farthest(curve: Callable[[Fraction], tuple[mpf, mpf]], shapes: Sequence[Shape], looks: int) -> float:
     """The farthest that a place on a curve is from the nearest of the shapes, which come in its order; 60 digits."""
     walls = [shape for shape in shapes if isinstance(shape, (Segment, Arc))]
-    starts = [complex(*wall.p0) for wall in walls]
-    ends = [complex(*wall.p1) for wall in walls]
     most = mpf(0)
     with mp.workdps(60):
         for index in range(looks + 1):
             x, y = curve(Fraction(index, looks))
-            place = complex(x, y)
-            rough = [abs(start - place) + abs(end - place) for start, end in zip(starts, ends, strict=True)]
+            rough = [wall.distance((float(x), float(y))) for wall in walls]
             nearest = sorted(range(len(walls)), key=rough.__getitem__)[:4]
             most = max(most, min(exact_distance(walls[index], x, y) for index in nearest))
         return float(most)
