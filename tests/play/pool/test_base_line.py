@@ -54,7 +54,7 @@ def test_keys_put_it_up_and_down_and_the_same_position_comes_again_with_it() -> 
     player = Player()
     height = player.pool.cue.position[1]
     player.press(pygame.K_w)
-    player.press(pygame.K_PAGEUP)
+    player.press(pygame.K_w)
     assert player.pool.cue.position == pytest.approx((QUARTER, height + 1.0))
     player.press(pygame.K_x, frames=60)
     assert player.pool.cue.position[1] == pytest.approx(height + 1.0 - 0.5 - 30.0 * 0.75, abs=1.5)

@@ -42,8 +42,6 @@ KEYS = {
     pygame.K_RSHIFT: Action.FINE,
     pygame.K_UP: Action.STRONGER,
     pygame.K_DOWN: Action.WEAKER,
-    pygame.K_PAGEUP: Action.PLACE_UP,
-    pygame.K_PAGEDOWN: Action.PLACE_DOWN,
     pygame.K_w: Action.PLACE_UP,
     pygame.K_x: Action.PLACE_DOWN,
     pygame.K_SPACE: Action.DRAW,
@@ -82,7 +80,7 @@ BUTTONS = {
 #: What the help says: the keys, the buttons of a controller, and what they do.
 HELP: tuple[tuple[str, str, str], ...] = (
     ("Mouse, Left and Right", "cross, stick", "aim; with Shift very finely"),
-    ("W and X, Page keys", "", "before the first shot: cue ball on the base line; or drag it"),
+    ("W and X", "", "before the first shot: cue ball on the base line; or drag it"),
     ("Space or left button", "A", "shoot as the power says; hold: draw the cue, let go"),
     ("Backspace, right button", "B", "put the cue down again"),
     ("Up and Down, wheel", "cross, stick", "power"),
