@@ -108,7 +108,7 @@ def _checked(function: Callable[..., Any], owner: Callable[..., Any]) -> Callabl
 
 def unknown_argument(owner: Callable[..., Any], options: Mapping[str, Any]) -> UnknownName:
     """The error to raise where not all `options` are arguments of `owner`; speaks of the first that is none."""
-    known = [name for name in inspect.signature(owner).parameters if name != "self"]
+    known = [name for name in inspect.signature(owner).parameters if name not in {"self", "cls"}]
     unknown = next(name for name in options if name not in known)
     return _unknown(unknown, f"argument of {owner.__name__}()", known)
 

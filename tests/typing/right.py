@@ -166,6 +166,7 @@ recording = carom.Recording.of(world, 1.0, every=2, name="run")
 recorder = carom.Recorder(world, name="run")
 recorder.note(world.step(1 / 60))
 again: carom.Recording = recorder.finish()
+room: list[carom.Shape] = carom.outlines.rectangle(0, 0, 4, 3, corner=1.0, elasticity=0.9)
 points: list[carom.Point] = carom.guard_points([wall, mill], tolerance=1e-6)
 picture: str = carom.draw.svg(carom.draw.picture_of(world, "table", caption="a table"))
 pixels: bytes = carom.draw.png(carom.draw.picture_at(recording, 3))
@@ -203,7 +204,9 @@ except carom.NonFiniteState as error:
     print(error.hits)
 except carom.ImpactLimit as error:
     print(error.balls, error.time, error.hits)
-except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.MissingExtra, carom.LostObject) as error:
+except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.SweepError) as error:
+    print(error)
+except (carom.MissingExtra, carom.LostObject) as error:
     print(error)
 except carom.CaromError as error:
     print(error, carom.__version__)

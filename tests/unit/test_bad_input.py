@@ -18,6 +18,7 @@ import carom
 ELSEWHERE = {
     "draw",
     "study",
+    "outlines",
     "World",
     "Hits",
     "HitKind",

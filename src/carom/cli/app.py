@@ -208,7 +208,7 @@ def convert(
         ),
     ] = None,
 ) -> None:
-    """Write what a drawing shows as a scene file that can be read and edited.
+    """Write what a drawing shows as a scene file.
 
     DRAWING is an .svg or .dxf file, FILE a .toml or .json one. Bodies have the names that they have in the drawing, and
     numbers are rounded to the tolerance.
@@ -276,7 +276,7 @@ def sweep(
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on with the sweep that is in the folder.")] = False,
 ) -> None:
-    """Run a scene many times, and keep a table of what came of it.
+    """Run a scene many times and keep a table.
 
     SCENE is a scene file, the name of a shipped scene, or a function as module:function. Ctrl-C stops the sweep, and
     --resume goes on with it, as it does after anything else that ended it.

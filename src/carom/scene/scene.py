@@ -22,6 +22,7 @@ from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.scene.guarding import guarded
 from carom.scene.lists import LISTS, BallList, ShapeList, checked_list, crowd
+from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -81,6 +82,7 @@ class Scene(Descriptor, Pictured):
         self.__pydantic_fields_set__.update(lists, checked)
 
     @classmethod
+    @spelled
     def load(cls, path: str | os.PathLike[str], tolerance: float | None = None) -> Self:
         """The scene in a `.toml` or `.json` file, or that a drawing shows, an `.svg` or `.dxf` file.
 

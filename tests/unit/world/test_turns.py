@@ -52,7 +52,7 @@ METHODS: dict[str, Callable[[Any], Any]] = {
 }
 HARMLESS = {
     *("aabb", "closest_point", "common_tangent", "common_tangents", "complement", "contains", "detect", "distance"),
-    *("in_sector", "surface_velocity", "tangent_points"),
+    *("in_sector", "parameter", "surface_velocity", "tangent_points"),
 }
 
 

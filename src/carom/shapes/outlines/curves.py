@@ -50,7 +50,7 @@ def bezier(
 
     >>> import carom
     >>> [shape.kind for shape in carom.outlines.bezier([(0, 0), (1, 2), (2, 0)], 0.01)]
-    ['arc', 'arc', 'arc', 'arc', 'point', 'point']
+    ['arc', 'arc', 'arc', 'arc', 'arc', 'arc', 'point', 'point']
     """
     places = places_of("points", points)
     if len(places) not in {3, 4} or len(set(places)) < 2:

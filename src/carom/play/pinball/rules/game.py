@@ -356,7 +356,7 @@ class Pinball:
 
     def _hear(self, hits: Any) -> None:
         """Tell the rules what was struck and crossed, and take the balls that drained."""
-        for _, kind, ball, shape, point, normal, _, _, impulse in hits.view(np.ndarray).tolist():
+        for _, kind, ball, shape, point, normal, _, _, impulse, *_ in hits.view(np.ndarray).tolist():
             part = self.table.parts.get(shape)
             place = (float(point[0]), float(point[1]))
             if kind == carom.HitKind.BOUNCE:

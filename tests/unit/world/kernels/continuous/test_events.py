@@ -16,7 +16,6 @@ from carom.world.kernels.continuous.events import (
     end_quietly,
     is_held_by_mover,
     meet_balls,
-    write_exit,
 )
 from carom.world.kernels.continuous.movers import foresee_changes
 from carom.world.kernels.step.relations import add_relation, find_relation
@@ -104,14 +103,6 @@ def test_a_motion_ends_with_its_event(event: int) -> None:
     assert (ball["vx"], ball["vy"]) == (0, 0)
     assert (ball["asleep"], state["sleeping"]) == (int(event == SLEEP),) * 2
     assert (flight["kind"] == ASLEEP) == (event == SLEEP)
-
-
-def test_who_leaves_a_sensor_is_written_down() -> None:
-    arrays = in_flight(continuous_world(Ball((0, 0), 1)))
-    look_at(arrays, 0.75)
-    write_exit(arrays.states[0], arrays.hits.view(HIT_ROW), arrays.balls.rows[0], 99)
-    hit = arrays.hits[0]
-    assert (hit["kind"], hit["time"], hit["ball"], hit["shape"]) == (EXIT, 0.75, arrays.balls.rows["id"][0], 99)
 
 
 def test_balls_that_were_pushed_apart_are_kept_out_of_walls() -> None:
