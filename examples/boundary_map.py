@@ -36,6 +36,7 @@ figure, both = plt.subplots(2, sharey=True, layout="constrained")
 for axes, outline, title in zip(both, (stadium, room), ("stadium", "round room"), strict=True):
     world, hits = boundary_map(outline)
     on_outline, arc_length, sine = hits.boundary(outline)
+    print(f"{title}: {len(sine)} hits, sines from {sine.min():.6f} to {sine.max():.6f}")
     axes.plot(arc_length, sine, ".", markersize=2)
     axes.set(title=title, xlabel="arc length", ylabel="sine of the angle of incidence", ylim=(-1, 1))
 plt.show()

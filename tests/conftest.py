@@ -6,6 +6,7 @@ By default hypothesis takes the same examples in every run, and fewer when the c
 
 import os
 import signal
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -20,6 +21,11 @@ os.environ.setdefault("CAROM_COMPILE", "wait")
 INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "interpreted" if INTERPRETED else "repeatable"))
 
+
+TESTS = Path(__file__).resolve().parent
+#: Where no test steps a world or asks it anything. Of two processes, one goes through these while the other, which
+#: begins in the middle, waits for the compiler.
+WITHOUT_KERNELS = ("conventions", "typing", "unit/geometry", "unit/shapes", "unit/scene", "unit/test_")
 
 # Tests of Ctrl-C, and the programs that they start, need it heeded even where the tests were started in the background.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -37,8 +43,14 @@ def launch_count(request: pytest.FixtureRequest) -> int:
     return 10_000_000 if request.config.getoption("--campaign") else 100_000
 
 
+def needs_kernels(item: pytest.Item) -> bool:
+    """Whether a test may have to wait for a kernel to be compiled; doctests may."""
+    return not item.path.is_relative_to(TESTS) or not str(item.path.relative_to(TESTS)).startswith(WITHOUT_KERNELS)
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Skip tests marked `compiled` where the compiler is switched off."""
+    """Put those first that need no compiled kernel; skip tests marked `compiled` where the compiler is switched off."""
+    items.sort(key=needs_kernels)
     if INTERPRETED:
         for item in items:
             if item.get_closest_marker("compiled"):

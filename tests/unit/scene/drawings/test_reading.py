@@ -96,15 +96,18 @@ def test_a_missing_package_is_asked_for(
 
 
 MANY = """
-import resource, sys, time
+import sys, time
+from pathlib import Path
 import carom
 began = time.process_time()
 scene = carom.Scene.load(sys.argv[1])
-print(len(scene.shapes), time.process_time() - began, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000)
+status = Path("/proc/self/status").read_text().split()  # what getrusage tells may be of the process that started this
+print(len(scene.shapes), time.process_time() - began, int(status[status.index("VmHWM:") + 1]) / 1000)
 """
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux says how much memory a process has had")
 def test_a_hundred_thousand_elements_take_seconds_and_no_more_than_their_room(tmp_path: Path) -> None:
     kinds = (
         '<line id="a{0}" x1="{1}" y1="{2}" x2="{3}" y2="{2}"/>',
