@@ -1,5 +1,6 @@
 """The toy played by scripted input: keys, throws, readings, two tables, and its screens compared with kept ones."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +8,7 @@ import pygame
 import pytest
 
 from carom.compiler import door
+from carom.compiler.kernels import Kernel
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
@@ -197,9 +199,17 @@ def test_without_a_sound_card_the_toy_says_so_once_and_goes_on(monkeypatch: pyte
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_all_that_is_compiled_is_compiled_before_the_table_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: set[str] = set()
-    load = door.load
-    monkeypatch.setattr(door, "load", lambda name, *size: asked.add(name) or load(name, *size))  # type: ignore[func-returns-value]
+    asked: set[Kernel] = set()
+
+    def noting(way: Callable[..., Kernel]) -> Callable[..., Kernel]:
+        def noted(kernel: Kernel, *size: Any) -> Kernel:
+            asked.add(kernel)
+            return way(kernel, *size)
+
+        return noted
+
+    monkeypatch.setattr(door, "load", noting(door.load))
+    monkeypatch.setattr(door, "enter", noting(door.enter))
     app.warm_up()
     before = set(asked)
     assert len(before) >= 3
