@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import logging
 import pickle
+import signal
 import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing import resource_tracker
 from typing import Any
 
 from carom.checks import refuse
@@ -181,14 +183,15 @@ def _local(runs: int) -> Iterator[Any]:
     system = needed("dask.system", "dask[distributed]", "sweep", "sweeps by several processes")
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}), _no_program():
         try:
-            cluster = module.LocalCluster(
-                n_workers=min(system.CPU_COUNT, runs),
-                threads_per_worker=1,
-                processes=True,
-                dashboard_address="localhost:0",
-                silence_logs=logging.CRITICAL,
-                env=ONE_THREAD,
-            )
+            with _deaf_to_ctrl_c():
+                cluster = module.LocalCluster(
+                    n_workers=min(system.CPU_COUNT, runs),
+                    threads_per_worker=1,
+                    processes=True,
+                    dashboard_address="localhost:0",
+                    silence_logs=logging.CRITICAL,
+                    env=ONE_THREAD,
+                )
         except (OSError, RuntimeError) as error:
             raise SweepError(f"no worker processes can be started: {error}") from None
         try:
@@ -196,6 +199,24 @@ def _local(runs: int) -> Iterator[Any]:
                 yield client
         finally:
             cluster.close()
+
+
+@contextmanager
+def _deaf_to_ctrl_c() -> Iterator[None]:
+    """Let Ctrl-C, which a terminal sends to all processes of a command, pass by those that Dask starts.
+
+    Its thread, which begins meanwhile and starts workers anew when they die, inherits what this one blocks; so do they.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    # When it is started later, multiprocessing's tracker lets the signal through to the thread that starts it.
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

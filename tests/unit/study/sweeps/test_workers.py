@@ -1,9 +1,15 @@
 """Who does the work: this process, processes on this machine, or a cluster by its address, with the same answers."""
 
+import os
+import signal
+import subprocess
+import sys
+import time
+from multiprocessing import spawn
 from pathlib import Path
 from typing import Any
 
-import pyarrow.parquet as pq
+import psutil
 import pytest
 
 import carom
@@ -11,10 +17,10 @@ from carom.study.sweeps.chunks import Chunks
 from carom.study.sweeps.grid import runs_of
 from carom.study.sweeps.job import Job
 from carom.study.sweeps.sources import source_of
-from carom.study.sweeps.workers import Sent, check_cluster, cluster_of, serial_answers
+from carom.study.sweeps.workers import Sent, _no_program, check_cluster, cluster_of, serial_answers
 from tests import sweeping
-from tests.dask_cluster import ROOT
-from tests.fresh import run
+from tests.clock import within
+from tests.dask_cluster import environment, workers_of
 
 
 def test_this_process_answers_all_runs() -> None:
@@ -39,33 +45,53 @@ def test_a_scheduler_that_is_not_there_is_one_line(monkeypatch: pytest.MonkeyPat
             pytest.fail("there is none")
 
 
-PROGRAM = """
-import sys, threading
-from tests.dask_cluster import workers_of
-from tests.sweeping import runs, swept
-import os
-stop = threading.Event()
+def test_new_processes_do_not_run_the_program_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    main = sys.modules["__main__"]
+    monkeypatch.setattr(main, "__file__", "program.py", raising=False)
+    monkeypatch.setattr(main, "__spec__", None)
+    assert "init_main_from_path" in spawn.get_preparation_data("worker")
+    with _no_program():
+        assert not {"init_main_from_path", "init_main_from_name"} & set(spawn.get_preparation_data("worker"))
+    assert main.__file__ == "program.py"
 
-def kill():
-    while not stop.wait(0.02):
-        for worker in workers_of(os.getpid())[:1]:
-            if os.path.exists(os.path.join(sys.argv[1], "ledger.jsonl")):
-                worker.kill()
-                return
 
-threading.Thread(target=kill, daemon=True).start()
-table = swept(sys.argv[1], runs(12, raises=1), cluster=None)
-stop.set()
-"""
+COMMAND = "from carom.cli import main; main()"
 
 
 @pytest.mark.slow
-def test_processes_of_this_machine_give_the_table_of_this_process(tmp_path: Path) -> None:
-    """A program without a guard; one of its workers is killed as soon as the first part is written."""
-    done = run(PROGRAM, str(tmp_path / "out"), CAROM_COMPILE="off", CAROM_TEST_NAP="0.2", PYTHONPATH=str(ROOT / "src"))
-    assert done.stderr.decode() == ""
-    assert done.returncode == 0
-    quiet = sweeping.swept(tmp_path / "quiet", sweeping.runs(12, raises=1))
-    found = pq.read_table(tmp_path / "out" / "table.parquet")
-    assert sweeping.without_seconds(found) == sweeping.without_seconds(quiet)
-    assert pq.read_table(tmp_path / "out" / "failures.parquet")["error"].to_pylist() == ["RuntimeError: as it was told"]
+def test_processes_of_this_machine_outlive_a_death_and_end_with_ctrl_c_and_the_rest_is_done_elsewhere(
+    tmp_path: Path,
+) -> None:
+    out = tmp_path / "out"
+    asked = ["sweep", "tests.sweeping:drop", "--vary", "number=0:40", "--measure", "tests.sweeping:told"]
+    process = subprocess.Popen(
+        [sys.executable, "-c", COMMAND, *asked, "--seconds", str(sweeping.SECONDS), "--out", str(out)],
+        env=environment({sweeping.NAP: "0.5"}),
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        wait_for(out, 1)
+        family = psutil.Process(process.pid).children(recursive=True)
+        workers_of(process.pid)[0].kill()
+        wait_for(out, 2 + len((out / "ledger.jsonl").read_text().splitlines()))
+        os.killpg(process.pid, signal.SIGINT)
+        told = process.communicate(timeout=60)[1]
+    finally:
+        process.kill()
+    lines = [line for line in told.splitlines() if not line.startswith("sweep: ")]
+    assert lines == [f"carom: interrupted; {out} keeps what is done, --resume goes on with it"]
+    assert process.returncode == 130
+    assert not psutil.wait_procs(family, timeout=10)[1]
+    assert (out / "ledger.jsonl").read_bytes().endswith(b"\n")
+    rows = [{"number": number} for number in range(40)]
+    again = sweeping.swept(out, rows)
+    assert sweeping.without_seconds(again) == sweeping.without_seconds(sweeping.swept(tmp_path / "quiet", rows))
+
+
+def wait_for(out: Path, lines: int) -> None:
+    """Wait until a sweep's ledger has so many lines."""
+    with within(120):
+        while not (out / "ledger.jsonl").exists() or len((out / "ledger.jsonl").read_text().splitlines()) < lines:
+            time.sleep(0.02)
