@@ -144,10 +144,10 @@ def cluster_of(given: Any, runs: int) -> Iterator[Cluster]:
         InvalidArgument: It is no address, client or None.
     """
     if given is None:
-        with _local(runs) as client:
+        with _silent_client(), _local(runs) as client:
             yield Cluster(client, "this machine")
     elif isinstance(given, str):
-        with _connected(given) as client:
+        with _silent_client(), _connected(given) as client:
             yield Cluster(client, given)
     else:
         yield Cluster(given, str(given.scheduler_info()["address"]))
@@ -161,6 +161,18 @@ def check_cluster(given: Any) -> None:
             raise refuse("cluster", "must be None, 'serial', the address of a Dask scheduler, or a Client", given)
     if given != SERIAL:
         distributed()
+
+
+@contextmanager
+def _silent_client() -> Iterator[None]:
+    """Let Dask's client keep to itself that workers die, which a sweep expects."""
+    log = logging.getLogger("distributed.client")
+    before = log.level
+    log.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        log.setLevel(before)
 
 
 @contextmanager
@@ -205,7 +217,7 @@ def _local(runs: int) -> Iterator[Any]:
 def _deaf_to_ctrl_c() -> Iterator[None]:
     """Let Ctrl-C, which a terminal sends to all processes of a command, pass by those that Dask starts.
 
-    Its thread, which begins here and starts workers anew when they die, inherits what this one blocks; so do they.
+    Its thread, which begins meanwhile and starts workers anew when they die, inherits what this one blocks; so do they.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
