@@ -50,8 +50,19 @@ def test_a_run_is_counted_once(tmp_path: Path) -> None:
     ledger = filled(tmp_path)
     ledger.add([row("b", "another time"), row("d")], 1, "me")
     ledger.add([row("d", "another time")], 1, "me")
-    assert opened(tmp_path).rows()["b"] == row("b")
     assert len((tmp_path / LEDGER).read_text().splitlines()) == 3
+    again = opened(tmp_path)
+    assert (again.rows()["b"], again.failed) == (row("b"), 1)
+
+
+def test_a_run_that_two_parts_hold_counts_as_the_first_says(tmp_path: Path) -> None:
+    """As at an address, where nobody keeps two sweeps apart."""
+    one, two = opened(tmp_path), opened(tmp_path)
+    one.add([row("a"), row("b")], 1, "one")
+    two.add([row("b", "why"), row("c"), row("d")], 1, "two")
+    again = opened(tmp_path)
+    assert (again.done, again.failed) == (set(IDS), 0)
+    assert again.rows() == {name: row(name) for name in IDS}
 
 
 @settings(max_examples=15)
