@@ -246,6 +246,7 @@ def test_keys_that_do_not_trip_sticky_keys_are_named_first() -> None:
     assert display.KEYS.startswith("Left, Right: flippers")
 
 
+@pytest.mark.compiled
 def test_initials_are_typed_and_taken_back_and_letters_do_nothing_else_meanwhile() -> None:
     app, window = session(scores=HighScores([Score(initials="EVA", score=5)]))
     app.game.high_scores.last = "KIM"

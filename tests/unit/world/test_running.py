@@ -10,6 +10,7 @@ from carom.world.counts import Counts
 from tests.worlds import bits, crowded
 
 
+@pytest.mark.compiled
 def test_a_run_that_keeps_counts_counts_what_one_that_keeps_all_has() -> None:
     world, twin = crowded(), crowded()
     counts = world.run(4.0, keep="counts")
