@@ -241,9 +241,10 @@ def compile() -> None:
 def sweep(
     scene: SceneName,
     out: Annotated[
-        str, typer.Option(metavar="FOLDER", help="Keep the sweep in this folder, or at an address that fsspec knows.")
-    ],
-    seconds: Annotated[str, typer.Option(metavar="S", help="Simulated time of each run, in seconds.")],
+        str | None,
+        typer.Option(metavar="FOLDER", help="Keep the sweep in this folder, or at an address that fsspec knows."),
+    ] = None,
+    seconds: Annotated[str | None, typer.Option(metavar="S", help="Simulated time of each run, in seconds.")] = None,
     vary: Annotated[
         list[str] | None,
         typer.Option(
@@ -281,8 +282,12 @@ def sweep(
     SCENE is a scene file, the name of a shipped scene, or a function as module:function. Ctrl-C stops the sweep, and
     --resume goes on with it, as it does after anything else that ended it.
     """
-    length, step = non_negative("--seconds", seconds), positive("--dt", dt)
-    sweeping.sweep(scene, vary or [], measure, length, step, out, cluster, resume)
+    # All three must be given; where typer is told so, some of its versions write that with a backslash.
+    folder = sweeping.given("--out", out, "where the sweep is to be kept, like --out results")
+    simulated = sweeping.given("--seconds", seconds, "how long each run is to be, like --seconds 60")
+    varied = sweeping.given("--vary", vary, 'what differs between runs, like --vary "seed=0:100"')
+    length, step = non_negative("--seconds", simulated), positive("--dt", dt)
+    sweeping.sweep(scene, varied, measure, length, step, folder, cluster, resume)
 
 
 @app.command()

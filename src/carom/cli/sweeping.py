@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import typer
 
@@ -24,6 +24,16 @@ _WORDS: dict[str, Any] = {"true": True, "false": False, "none": None}
 MOST_VALUES = 10_000_000
 
 
+T = TypeVar("T")
+
+
+def given(option: str, value: T | None, what: str) -> T:
+    """The value of an option that must be given; raises `Mistake`, which says what to say by it, where it is not."""
+    if not value:
+        raise Mistake(f"{option}: is missing; say {what}")
+    return value
+
+
 def sweep(
     scene: str,
     vary: Sequence[str],
@@ -35,8 +45,6 @@ def sweep(
     resume: bool,
 ) -> None:
     """Run a sweep, and say where its tables are; raises `Mistake` for what was asked wrongly."""
-    if not vary:
-        raise Mistake('--vary: is missing; say what differs between runs, like --vary "seed=0:100"')
     grid = dict(varied(text) for text in vary)
     if len(grid) < len(vary):
         raise Mistake("--vary: one name is given twice")

@@ -96,3 +96,13 @@ def test_ctrl_c_says_how_to_go_on(
     monkeypatch.setattr("carom.study.sweep", interrupted)
     told = carom_says(capsys, "sweep", "gas", "--vary", "seed=0:2", "--seconds", "1", "--out", "kept")
     assert told == (130, "", "carom: interrupted; kept keeps what is done, --resume goes on with it\n")
+
+
+@pytest.mark.parametrize("option", ["--out", "--seconds", "--vary"])
+def test_what_must_be_given_is_asked_for(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    given = {"--out": "kept", "--seconds": "1", "--vary": "seed=0:2"}
+    asked = [word for name, value in given.items() if name != option for word in (name, value)]
+    status, out, told = carom_says(capsys, "sweep", "gas", *asked)
+    assert (status, out) == (2, "")
+    assert told.startswith(f"carom: {option}: is missing; say ")
+    assert told.count("\n") == 1
