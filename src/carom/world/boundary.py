@@ -32,11 +32,10 @@ PIECES = "must be a Segment, an Arc or a Circle of the world of the hits"
 class Boundary(NamedTuple):
     """Hits on an outline in the coordinates of Birkhoff, one number of each array for each of `hits`.
 
-    Attributes:
-        hits: Those of the hits that are on the outline, without `EXIT`s.
-        arc_length: How far along the outline each is, from the first end of the first shape.
-        sine: The sine of the angle of incidence, in [-1, 1]: the part of the ball's velocity along the outline;
-            positive where it goes on in the outline's direction. 0 for a ball at rest.
+    `hits` are those of the hits that are on the outline, without those of kind `EXIT`. `arc_length` is how far along
+    the outline each is, from the first end of the first shape. `sine` is the sine of the angle of incidence, in
+    [-1, 1]: the part of the ball's velocity along the outline; positive where it goes on in the outline's direction, 0
+    for a ball at rest.
     """
 
     hits: Hits
