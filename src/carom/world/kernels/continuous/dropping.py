@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FlightRow
-from carom.rows.hit import EXIT, HitRow
+from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
-from carom.rows.relation import INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.relation import NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -16,9 +16,7 @@ from carom.world.kernels.continuous.encounter import let_fly
 from carom.world.kernels.continuous.island import hasten, lies
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.step.ending import is_there
-from carom.world.kernels.step.hits import write_hit
-from carom.world.kernels.step.relations import drop_relation
+from carom.world.kernels.step.ending import end_relations, is_there
 
 
 def let_go(
@@ -46,7 +44,7 @@ def let_go(
         let_fly(state, ball, flight)
         if lies(relations, ball):
             hasten(state, balls, flights, relations, bodies, i)
-        end_relations(state, balls, shapes, hits, relations, ball)
+        end_relations(state, balls, shapes, hits, relations, ball, float(state["now"]))
         hold(state, ball, flight, shapes, relations, True)
 
 
@@ -60,25 +58,3 @@ def is_let_go(
             return True
         place = int(relations[place]["next"])
     return False
-
-
-def end_relations(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    hits: Table[HitRow],
-    relations: Table[RelationRow],
-    ball: BallRow,
-) -> None:
-    """Drop a ball's relations to what is not there any more; that to a shape in which it was ends with an `EXIT`."""
-    before = NO_RELATION
-    place = int(ball["relation"])
-    while place != NO_RELATION:
-        kind, other = int(relations[place]["kind"]), row_of(relations[place]["other"])
-        if is_there(balls, shapes, ball, kind, other):
-            before = place
-            place = int(relations[place]["next"])
-            continue
-        if kind == INSIDE_SHAPE:
-            write_hit(state, hits[state["hits"]], float(state["now"]), EXIT, ball, int(shapes[other]["id"]))
-        place = drop_relation(state, relations, ball, place, before)

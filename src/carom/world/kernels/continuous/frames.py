@@ -5,10 +5,10 @@ from __future__ import annotations
 from carom.constants import NEVER
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
-from carom.rows.hit import EXIT, HitRow
+from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.relation import NO_RELATION, RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
@@ -38,10 +38,9 @@ from carom.world.kernels.continuous.movers import begin_motions, foresee_changes
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
 from carom.world.kernels.step.discrete import enter_stage, rebuild_index
-from carom.world.kernels.step.ending import is_there
-from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.ending import sweep_relations
 from carom.world.kernels.step.motion import wake_all
-from carom.world.kernels.step.relations import drop_relation, relations_room
+from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.rollback import (
     find_strays,
     is_allowed,
@@ -217,7 +216,7 @@ def take_up(
     changed = state["wake"] != 0
     if changed:
         wake_all(state, balls)
-        drop_what_is_off(state, balls, shapes, hits, relations)
+        sweep_relations(state, balls, shapes, hits, relations, float(state["now"]))
         begin_motions(state, shapes, order)
         state["wake"] = 0
     else:
@@ -263,32 +262,6 @@ def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     flight["kept"] = state["step_number"]
     flight["impacts"] = 0
     flight["version"] += 1
-
-
-def drop_what_is_off(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    hits: Table[HitRow],
-    relations: Table[RelationRow],
-) -> None:
-    """End the relations to what may not be met any more, or is a sensor no more or now; sensors with an `EXIT`."""
-    for i in range(state["balls"]):
-        ball = balls[i]
-        before = NO_RELATION
-        place = int(ball["relation"])
-        while place != NO_RELATION:
-            kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
-            if is_there(balls, shapes, ball, kind, other):
-                before = place
-                place = int(relations[place]["next"])
-                continue
-            time = float(state["now"])
-            if kind == INSIDE_SHAPE:
-                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
-            elif kind == INSIDE_BALL:
-                write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
-            place = drop_relation(state, relations, ball, place, before)
 
 
 def finish_frame(

@@ -69,20 +69,32 @@ def sweep_relations(
 ) -> None:
     """Drop the relations that do not hold any more; a sensor's end with an `EXIT`, for which there must be room."""
     for i in range(state["balls"]):
-        ball = balls[i]
-        before = NO_RELATION
-        place = int(ball["relation"])
-        while place != NO_RELATION:
-            kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
-            if still_holds(state, balls, shapes, ball, kind, other):
-                before = place
-                place = int(relations[place]["next"])
-            else:
-                if kind == INSIDE_SHAPE:
-                    write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
-                elif kind == INSIDE_BALL:
-                    write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
-                place = drop_relation(state, relations, ball, place, before)
+        end_relations(state, balls, shapes, hits, relations, balls[i], time)
+
+
+def end_relations(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    ball: BallRow,
+    time: float,
+) -> None:
+    """Drop those of one ball."""
+    before = NO_RELATION
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        kind, other = int(relations[place]["kind"]), int(relations[place]["other"])
+        if still_holds(state, balls, shapes, ball, kind, other):
+            before = place
+            place = int(relations[place]["next"])
+            continue
+        if kind == INSIDE_SHAPE:
+            write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
+        elif kind == INSIDE_BALL:
+            write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
+        place = drop_relation(state, relations, ball, place, before)
 
 
 def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> None:
