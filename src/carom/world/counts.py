@@ -9,7 +9,7 @@ import numpy as np
 
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
 from carom.rows.tables import Rows
-from carom.world.plural import Plural
+from carom.world.plural import OfHits
 from carom.world.touches import Touching
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Count:
     strongest: float
 
 
-class Counts(Plural[Count]):
+class Counts(OfHits[Count]):
     """Hits counted by what was hit, in the order of ids: a structured array whose items are `Count` objects.
 
     `World.run(..., keep="counts")` gives them, and `Hits.counts`. The fields are those of `Count`, with an id for
@@ -68,19 +68,6 @@ class Counts(Plural[Count]):
 
     DTYPE = COUNT
 
-    _gone: Rows | None
-
-    @classmethod
-    def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Counts:
-        """Counts of a world's hits; `gone` holds the rows of balls that were removed meanwhile."""
-        counts = super().of(world, rows)
-        counts._gone = gone
-        return counts
-
-    def __array_finalize__(self, source: Any) -> None:
-        super().__array_finalize__(source)
-        self._gone = getattr(source, "_gone", None)
-
     def __repr__(self) -> str:
         return f"<counts of {len(self)} shapes>"
 
@@ -88,8 +75,7 @@ class Counts(Plural[Count]):
 
     def _object(self, world: World, row: Any) -> Count:
         shape, *numbers = row.item()
-        found: Any = world._object_of_hit(shape, self._gone)
-        return Count(found, *numbers)
+        return Count(self._member(world, shape), *numbers)
 
 
 class Counter:

@@ -15,7 +15,7 @@ from carom.rows.tables import Rows
 from carom.typing import Vector
 from carom.world.boundary import Boundary, boundary_of
 from carom.world.counts import Counter, Counts
-from carom.world.plural import Plural, vector
+from carom.world.plural import OfHits, vector
 from carom.world.touches import Touches
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ class Hit:
     position: Vector
 
 
-class Hits(Plural[Hit]):
+class Hits(OfHits[Hit]):
     """Every hit of a step or a run, in order of time: a structured array whose items are `Hit` objects.
 
     `hits["speed"]`, masks and slices work as with any structured array (the fields are those of `Hit`, with ids for
@@ -81,27 +81,12 @@ class Hits(Plural[Hit]):
 
     DTYPE = HIT
 
-    _gone: Rows | None = None
-
     @classmethod
     def of_bytes(cls, world: World, rows: bytearray) -> Hits:
         """Hits of a world from the bytes of rows of dtype `HIT`."""
         hits = cls((len(rows) // HIT.itemsize,), HIT, rows)
         hits._link = world._link
         return hits
-
-    @classmethod
-    def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Hits:
-        """Hits of a world from rows of dtype `HIT`; `gone` holds the rows of balls that were removed meanwhile."""
-        hits = rows.view(cls)
-        hits._link = world._link
-        hits._gone = gone
-        return hits
-
-    def __array_finalize__(self, source: Any) -> None:
-        if source is not None:
-            super().__array_finalize__(source)
-            self._gone = getattr(source, "_gone", None)
 
     def __repr__(self) -> str:
         return f"<{len(self)} hits>"
@@ -110,13 +95,11 @@ class Hits(Plural[Hit]):
 
     def _object(self, world: World, row: Any) -> Hit:
         time, kind, ball, shape, point, normal, setback, speed, impulse, velocity, position = row.item()
-        ball_object: Any = world._object_of_hit(ball, self._gone)
-        shape_object: Any = world._object_of_hit(shape, self._gone)
         return Hit(
             time,
             HitKind(kind),
-            ball_object,
-            shape_object,
+            self._member(world, ball),
+            self._member(world, shape),
             vector(point),
             vector(normal),
             setback,

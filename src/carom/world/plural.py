@@ -108,6 +108,28 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
         raise NotImplementedError
 
 
+class OfHits(Plural[T]):
+    """Rows that name balls which may have left the world since: they are found among the rows `gone`."""
+
+    _gone: Rows | None = None
+
+    @classmethod
+    def of(cls, world: World, rows: Rows, gone: Rows | None = None) -> Self:
+        """What `world` says, from rows of dtype `DTYPE`; `gone` holds the rows of balls that were removed meanwhile."""
+        plural = super().of(world, rows)
+        plural._gone = gone
+        return plural
+
+    def __array_finalize__(self, source: Any) -> None:
+        if source is not None:
+            super().__array_finalize__(source)
+            self._gone = getattr(source, "_gone", None)
+
+    def _member(self, world: World, member_id: int) -> Any:
+        """The shape or ball with an id; None where it left long ago and nobody kept it."""
+        return world._object_of_hit(member_id, self._gone)
+
+
 def vector(pair: Table[float]) -> Vector:
     """A pair of a row as a tuple of floats."""
     return float(pair[0]), float(pair[1])
