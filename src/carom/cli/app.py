@@ -64,6 +64,10 @@ Layers = Annotated[
         f"{', '.join(sorted(Layer))}. By default shapes, sensors, balls, hits and tracks.",
     ),
 ]
+StepLength = Annotated[
+    str,
+    typer.Option(metavar="S", show_default=False, help="Length of a step: a number or a fraction. By default 1/60."),
+]
 Seconds = Annotated[
     str | None,
     typer.Option("--seconds", metavar="S", help="Close the window after so long, and print what frames took."),
@@ -125,12 +129,7 @@ def run(
     seconds: Annotated[
         str, typer.Option(metavar="S", show_default=False, help="Simulated time to run for, in seconds. By default 10.")
     ] = "10",
-    dt: Annotated[
-        str,
-        typer.Option(
-            metavar="S", show_default=False, help="Length of a step: a number or a fraction. By default 1/60."
-        ),
-    ] = "1/60",
+    dt: StepLength = "1/60",
     out: Annotated[
         list[Path] | None,
         typer.Option(
@@ -262,12 +261,7 @@ def sweep(
             "or a function of yours as module:function. By default hits-by-shape.",
         ),
     ] = "hits-by-shape",
-    dt: Annotated[
-        str,
-        typer.Option(
-            metavar="S", show_default=False, help="Length of a step: a number or a fraction. By default 1/60."
-        ),
-    ] = "1/60",
+    dt: StepLength = "1/60",
     cluster: Annotated[
         str | None,
         typer.Option(
