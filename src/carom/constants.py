@@ -417,3 +417,10 @@ JOLT_SHARE = 5e-2
 
 #: Share of the same speed down to which accelerations are solved after such an event.
 JOLT_TOLERANCE = 5e-3
+
+#: Part of a ball's radius: a ball that was less far from a shape between two hits has not left it, and touches it once.
+#: A hop that low is not seen.
+LOWEST_HOP = 0.05
+
+#: Part of an outline's length by which the ends of two of its shapes may miss each other.
+JOINT_GAP = 1e-9

@@ -12,7 +12,7 @@ class Block:
     """Arrays, or tuples of them, that a kernel is called with again and again.
 
     `address` is that of a table of 64-bit words: for each array, in their order, where its data lie and how long it is
-    in each of its dimensions. To give a compiled kernel that one number costs a tenth of giving it the arrays. The
+    in each of its dimensions. To give a compiled kernel that one number costs far less than to give it the arrays. The
     arrays must be C-contiguous; where one is replaced, another block is needed.
 
     Attributes:

@@ -1,6 +1,6 @@
 """Kernels as Numba compiles them to be called with the address of a `Block`: the arrays are rebuilt inside.
 
-To unbox an array of records costs Numba a tenth of a microsecond, and a step takes more than a dozen of them. Imported
+To unbox an array of records takes Numba a while, and a step takes more than a dozen of them. Imported
 only where Numba is there. Source: Numba's `carray`, which does the same for one array.
 """
 

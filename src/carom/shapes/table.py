@@ -35,8 +35,8 @@ class RowTable(Generic[R]):
 
     A world's table overrides `index`, where rows move: it finds the row of `owner._id`, or of `owner._index`.
 
-    What is read and written all the time goes by words of 64 bits, not by fields of records, which take NumPy ten times
-    as long: `pair` and `put_pair`.
+    What is read and written all the time goes by words of 64 bits, not by fields of records, which take NumPy several
+    times as long: `pair` and `put_pair`.
     """
 
     __slots__ = ("_floats", "_seen", "_whole", "_width", "rows")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.checks import refuse
-from carom.constants import TWO_PI
+from carom.constants import JOINT_GAP, TWO_PI
 from carom.rows.hit import EXIT
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from carom.typing import Vector
     from carom.world.hits import Hits
     from carom.world.world import World
-
-#: Part of an outline's length by which the ends of two of its shapes may miss each other.
-JOINT_GAP = 1e-9
 
 #: What an outline is made of, told where something else was given.
 PIECES = "must be a Segment, an Arc or a Circle of the world of the hits"

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.constants import LOWEST_HOP
 from carom.rows.hit import BOUNCE, ENTER, EXIT
 from carom.rows.tables import Rows
-from carom.world.plural import Plural, vector
+from carom.world.plural import OfHits, vector
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -24,9 +25,6 @@ if TYPE_CHECKING:
     from carom.typing import Vector
     from carom.world.hits import HitKind
     from carom.world.world import World
-
-#: Part of a ball's radius: a ball that was less far from a shape has not left it. A hop that low is not seen.
-LOWEST_HOP = 0.05
 
 TOUCH = np.dtype(
     [
@@ -73,7 +71,7 @@ class Touch:
     impulse: float
 
 
-class Touches(Plural[Touch]):
+class Touches(OfHits[Touch]):
     """The touches that hits belong to, in order of their first times; `Hits.touches` gives them.
 
     Like hits they are a structured array, whose fields are those of `Touch`, and whose items are `Touch` objects.
@@ -81,18 +79,12 @@ class Touches(Plural[Touch]):
 
     DTYPE = TOUCH
 
-    _gone: Rows | None
-
     @classmethod
     def of_hits(cls, hits: Any) -> Touches:
         """The touches of `Hits`."""
         touches = touches_of(hits.view(np.ndarray)).view(cls)
         touches._link, touches._gone = hits._link, hits._gone
         return touches
-
-    def __array_finalize__(self, source: Any) -> None:
-        super().__array_finalize__(source)
-        self._gone = getattr(source, "_gone", None)
 
     def __repr__(self) -> str:
         return f"<{len(self)} touches>"
@@ -103,14 +95,12 @@ class Touches(Plural[Touch]):
         from carom.world.hits import HitKind
 
         time, end, kind, ball, shape, count, point, normal, speed, impulse = row.item()
-        ball_object: Any = world._object_of_hit(ball, self._gone)
-        shape_object: Any = world._object_of_hit(shape, self._gone)
         return Touch(
             time,
             end,
             HitKind(kind),
-            ball_object,
-            shape_object,
+            self._member(world, ball),
+            self._member(world, shape),
             count,
             vector(point),
             vector(normal),

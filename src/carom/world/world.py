@@ -41,7 +41,7 @@ from carom.world.views import note_lent, see_lent
 #: The kernel of each detection's step.
 STEP_KERNELS = (step_discrete, step_continuous)
 
-#: Words of a state, as Python reads and writes them: a tenth of what a field of a record takes.
+#: Words of a state, as Python reads and writes them: in far less time than fields of a record.
 STEPS_LEFT, HITS = (STATE.fields[name][1] // 8 for name in ("steps_left", "hits"))  # type: ignore[index]
 
 #: Steps of a run at most; far beyond what can be waited for.
