@@ -87,7 +87,8 @@ def fit(
         the curve goes on smoothly; and then the points.
 
     Raises:
-        InvalidArgument: The curve's value is no place, or has a corner; the tolerance is too small for the curve.
+        InvalidArgument: The curve is no function, or its value no place; it stays in one place; it cannot be followed
+            to the tolerance, which is too small for it, or where it jumps.
 
     >>> import carom
     >>> from math import cos, pi, sin
@@ -95,6 +96,9 @@ def fit(
     >>> {shape.kind for shape in ellipse}
     {'arc'}
     """
+    for name, function in (("curve", curve), ("derivative", derivative)):
+        if not callable(function) and not (name == "derivative" and function is None):
+            raise refuse(name, "must be a function of t", function)
     looks = [value_of("curve", curve, index / FIRST_LOOKS) for index in range(FIRST_LOOKS + 1)]
     frame = frame_of("curve", looks)
     places = [frame.inward(look) for look in looks]
