@@ -26,6 +26,8 @@ TESTS = Path(__file__).resolve().parent
 #: Where no test steps a world or asks it anything. Of two processes, one goes through these while the other, which
 #: begins in the middle, waits for the compiler.
 WITHOUT_KERNELS = ("conventions", "typing", "unit/geometry", "unit/shapes", "unit/scene", "unit/test_")
+#: What in these does: the code of pages, and a world that is described.
+WITH_KERNELS = ("conventions/test_texts", "unit/scene/test_capture")
 
 # Tests of Ctrl-C, and the programs that they start, need it heeded even where the tests were started in the background.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -45,7 +47,10 @@ def launch_count(request: pytest.FixtureRequest) -> int:
 
 def needs_kernels(item: pytest.Item) -> bool:
     """Whether a test may have to wait for a kernel to be compiled; doctests may."""
-    return not item.path.is_relative_to(TESTS) or not str(item.path.relative_to(TESTS)).startswith(WITHOUT_KERNELS)
+    if not item.path.is_relative_to(TESTS):
+        return True
+    path = item.path.relative_to(TESTS).as_posix()
+    return not path.startswith(WITHOUT_KERNELS) or path.startswith(WITH_KERNELS)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
