@@ -50,8 +50,10 @@ def compile_ahead() -> None:
     if done.seconds:
         was_there = f", {report.counted(len(done.kept), 'kernel')} were there" if done.kept else ""
         typer.echo(f"compiled {report.counted(len(done.seconds), 'kernel')}{was_there}; all are kept in {done.folder}")
-    else:
+    elif done.kept:
         typer.echo(f"everything is there: {report.counted(len(done.kept), 'kernel')} in {done.folder}")
+    if done.prebuilt:
+        typer.echo(f"{report.counted(len(done.prebuilt), 'kernel')} came with carom, compiled")
 
 
 def run(scene: str, seconds: float, dt: float, paths: Sequence[Path], view: View) -> bool:

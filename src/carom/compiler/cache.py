@@ -15,7 +15,13 @@ from typing import Any
 from carom.compiler.kernels import Kernel, kernel_modules
 
 #: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.
-SOURCES_BESIDES = ("carom.constants", "carom.compiler.cache", "carom.compiler.door", "carom.compiler.entered")
+SOURCES_BESIDES = (
+    "carom.constants",
+    "carom.compiler.block",
+    "carom.compiler.cache",
+    "carom.compiler.door",
+    "carom.compiler.entered",
+)
 
 #: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.
 OPTIONS = {"nogil": True, "error_model": "numpy"}

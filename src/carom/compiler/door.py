@@ -1,4 +1,4 @@
-"""The one door to Numba: kernels are compiled when a world first needs them.
+"""The one door to Numba: kernels are compiled when a world first needs them, where they did not come compiled.
 
 By default they run interpreted, bit for bit the same, until a child process has compiled them into the cache on disk.
 `CAROM_COMPILE` says otherwise: with `wait` the caller waits for them, with `off` they are always interpreted, as they
@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from carom import checks
-from carom.compiler import child
+from carom.compiler import child, prebuilt
 from carom.compiler.behind import Behind, NotKept, Size
 from carom.compiler.block import Block
 from carom.compiler.cache import cache_folder, cached, forget, uncached
@@ -68,7 +69,10 @@ def keep(function: Kernel, arguments: tuple[Any, ...]) -> float | None:
         raise CompileError(f"nothing is compiled: {VARIABLE} is {OFF!r}")
     numba = _numba()
     if numba is None:
-        raise CompileError("nothing is compiled: Numba is not installed, or switched off by NUMBA_DISABLE_JIT")
+        raise CompileError(
+            'nothing is compiled: Numba is not installed (`pip install "carom[compile]"`), or switched off by'
+            " NUMBA_DISABLE_JIT"
+        )
     entry = (BlockEntry if isinstance(arguments[0], Block) else Entry)(numba, function)
     if not entry.lasting:
         raise CompileError(f"compiled code cannot be kept: {cache_folder()} cannot be written to")
@@ -87,9 +91,22 @@ def way() -> str:
     return checks.one_of(VARIABLE, os.environ.get(VARIABLE) or BACKGROUND, WAYS)
 
 
+def ready_made(function: Kernel) -> Kernel | None:
+    """A kernel that came compiled with carom, to be called with the address of a `Block`.
+
+    None where it did not, or where everything is to be interpreted.
+    """
+    if way() == OFF or os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
+        return None
+    return prebuilt.found(function)
+
+
 def _opened(function: Kernel, size: Size, way_in: type[Entry]) -> Kernel:
     """The function as it is to be called from now on, until it replaces that by something better."""
     chosen = way()
+    kernel = ready_made(function)
+    if kernel is not None:
+        return way_in.ready_made(kernel)
     numba = None if chosen == OFF else _numba()
     interpreted = way_in.interpreted(function)
     if numba is None:
@@ -111,7 +128,7 @@ def _numba() -> Any:
     config: Any = numba.config
     if config.DISABLE_JIT:
         return None
-    _register_once(numba)
+    register_once(numba)
     return numba
 
 
@@ -125,7 +142,7 @@ def _quiet(function: Kernel) -> Kernel:
     return interpreted
 
 
-def _register_once(numba: Any) -> None:
+def register_once(numba: Any) -> None:
     """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
     if not _registered:
         _registered.extend(kernel_functions())
@@ -161,6 +178,8 @@ class Entry:
 
     #: The kernel as the interpreter runs it.
     interpreted = staticmethod(_quiet)
+    #: The kernel as it came with carom, given the function of an address.
+    ready_made: Callable[[Kernel], Kernel] = staticmethod(prebuilt.with_arguments)
 
     def __init__(self, numba: Any, function: Kernel) -> None:
         self._numba = numba
@@ -252,6 +271,8 @@ class At:
 
 class BlockEntry(Entry):
     """That of a kernel which is called with a `Block`."""
+
+    ready_made = At
 
     @staticmethod
     def interpreted(function: Kernel) -> Kernel:

@@ -1,7 +1,8 @@
 """Kernels as Numba compiles them to be called with the address of a `Block`: the arrays are rebuilt inside.
 
-To unbox an array of records takes Numba a while, and a step takes more than a dozen of them. Imported
-only where Numba is there. Source: Numba's `carray`, which does the same for one array.
+To unbox an array of records takes Numba a while, and a step takes more than a dozen of them; and code that
+rebuilds them needs nothing of Numba when it runs. Imported only where Numba is there. Source: Numba's `carray`, which
+does the same for one array.
 """
 
 from __future__ import annotations
@@ -54,9 +55,10 @@ def arguments_at(_typing: Any, address: Any, name: Any) -> Any:
 
 
 class Words:
-    """The words of the table, one after the other, as generated code reads them."""
+    """64-bit words, one after the other, as generated code reads them."""
 
     def __init__(self, context: Any, builder: Any, address: Any) -> None:
+        self._context = context
         self._builder = builder
         self._table = builder.inttoptr(address, context.get_value_type(types.intp).as_pointer())
         self._read = 0
@@ -67,20 +69,29 @@ class Words:
         self._read += 1
         return self._builder.load(place)
 
+    def follow(self) -> Words:
+        """The words at the address that is the next word."""
+        return Words(self._context, self._builder, self.next())
+
 
 def argument_of(context: Any, builder: Any, kind: Any, words: Words) -> Any:
-    """The array whose words come next, or the tuple of arrays, by its type."""
+    """The argument whose word comes next, or the tuple of those whose words do, by its type."""
     if hasattr(kind, "types"):
         parts = [argument_of(context, builder, each, words) for each in kind.types]
         return context.make_tuple(builder, kind, parts)
+    if kind == types.boolean:
+        return builder.trunc(words.next(), context.get_value_type(kind))
+    # See `carom.compiler.block.HEADER`.
+    fields = words.follow()
+    data, _dimensions, lengths = fields.next(), fields.next(), fields.follow()
     array = make_array(kind)(context, builder)  # type: ignore[no-untyped-call]
-    data = builder.inttoptr(words.next(), context.get_data_type(kind.dtype).as_pointer())
-    shape = [words.next() for _ in range(kind.ndim)]
+    shape = [lengths.next() for _ in range(kind.ndim)]
     size = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(kind.dtype)))
     strides = [size]
     for length in reversed(shape[1:]):
         strides.insert(0, builder.mul(strides[0], length))
+    place = builder.inttoptr(data, context.get_data_type(kind.dtype).as_pointer())
     populate_array(  # type: ignore[no-untyped-call]
-        array, data=data, shape=shape, strides=strides, itemsize=size, meminfo=None
+        array, data=place, shape=shape, strides=strides, itemsize=size, meminfo=None
     )
     return array._getvalue()

@@ -43,11 +43,13 @@ class Compiled:
         folder: Where compiled code is kept.
         seconds: The kernels that were compiled now, by name, with the seconds each of them took.
         kept: The names of those that were there already.
+        prebuilt: The names of those that came compiled with carom, and need no folder.
     """
 
     folder: Path
     seconds: dict[str, float]
     kept: tuple[str, ...]
+    prebuilt: tuple[str, ...]
 
 
 def compile() -> Compiled:
@@ -67,15 +69,36 @@ def compile_kernels(names: Collection[str]) -> Compiled:
     """What was compiled of the kernels of some names; raises as `compile`."""
     seconds: dict[str, float] = {}
     kept: list[str] = []
+    prebuilt: list[str] = []
     for function, arguments in examples().items():
         name = function.__name__
-        if name in names:
-            took = door.keep(function, arguments)
-            if took is None:
-                kept.append(name)
-            else:
-                seconds[name] = took
-    return Compiled(cache_folder(), seconds, tuple(kept))
+        if name not in names:
+            continue
+        if door.ready_made(function) is not None:
+            prebuilt.append(name)
+            continue
+        took = door.keep(function, arguments)
+        if took is None:
+            kept.append(name)
+        else:
+            seconds[name] = took
+    return Compiled(cache_folder(), seconds, tuple(kept), tuple(prebuilt))
+
+
+def prebuild(folder: str, *names: str) -> None:
+    """Make the library of compiled kernels that a wheel brings along, of all kernels unless some are named.
+
+    Raises:
+        CompileError: There is no kernel of a name.
+        RuntimeError: Numba has compiled in this process already.
+    """
+    kernels = {function.__name__: (function, arguments) for function, arguments in examples().items()}
+    strangers = set(names) - set(kernels)
+    if strangers:
+        raise CompileError(f"there are no kernels called {sorted(strangers)}; there are {list(kernels)}")
+    from carom.compiler.building import build
+
+    build(dict(kernels[name] for name in names or kernels), Path(folder))
 
 
 def examples() -> dict[Kernel, tuple[Any, ...]]:
