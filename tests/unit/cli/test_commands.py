@@ -337,6 +337,14 @@ def test_compile_says_what_it_did_and_where(
     assert carom_says(capsys, "compile") == (0, f"everything is there: 9 kernels in {cache_folder()}\n", "")
 
 
+def test_compile_says_that_kernels_came_compiled(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(door, "ready_made", lambda function: function)
+    monkeypatch.setattr(door, "keep", lambda function, arguments: pytest.fail("nothing is left to compile"))
+    assert carom_says(capsys, "compile") == (0, "9 kernels came with carom, compiled\n", "")
+
+
 def test_compile_fails_where_nothing_can_be_compiled(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
