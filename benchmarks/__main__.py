@@ -1,14 +1,13 @@
 """Measure every workload, or some, and print a table of each; nothing is asserted.
 
-Times are the processor's, so other processes on the machine count little; those of start-up are the clock's.
+Times are the processor's, so other processes on the machine count little; those of start-up are the clock's. A value is
+a median; its spread is half of what the middle half of all measurements spans.
 """
 
 import argparse
-import json
 import os
 import platform
 import sys
-from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import ModuleType
@@ -32,6 +31,7 @@ from benchmarks import (
     sweep,
 )
 from benchmarks.common import Figure, show
+from benchmarks.saved import Run, load, save
 
 WORKLOADS: dict[str, ModuleType] = {
     "gas": gas,
@@ -76,20 +76,36 @@ def main(arguments: list[str]) -> None:
         "--quick", action="store_true", help="small and short, to see that it runs; its figures mean little"
     )
     parser.add_argument("--only", choices=WORKLOADS, action="append", metavar="NAME", help=", ".join(WORKLOADS))
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures there too")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="save the figures there too")
+    parser.add_argument("--compare", type=Path, metavar="FILE", help="print beside them those that were saved there")
     parser.add_argument("--plot", type=Path, metavar="FILE", help="draw what a true arc is worth, as SVG (rooms)")
+    parser.add_argument("--chart", type=Path, metavar="FILE", help="draw what a ball of many costs, as SVG (scaling)")
     asked = parser.parse_args(arguments)
+    names = list(dict.fromkeys(asked.only or WORKLOADS))
+    if asked.chart and "scaling" not in names:
+        parser.error("--chart draws what --only scaling measures")
+    before = None
+    if asked.compare:
+        try:
+            before = load(asked.compare)
+        except (OSError, ValueError) as error:
+            parser.error(f"--compare: {error}")
     console = Console() if sys.stdout.isatty() else Console(width=WIDTH)
-    console.print(", ".join(f"{name} {value}" for name, value in machine().items()), highlight=False)
+    here = machine()
+    console.print(", ".join(f"{name} {value}" for name, value in here.items()), highlight=False)
+    if before:
+        other = ", ".join(f"{name} {value}" for name, value in before.on.items() if here.get(name) != value)
+        console.print(f"compared with: {other or 'the same machine and versions'}", highlight=False)
     measured: dict[str, list[Figure]] = {}
-    for name in asked.only or WORKLOADS:
+    for name in names:
         measured[name] = WORKLOADS[name].run(asked.quick)
-        show(WORKLOADS[name].TITLE, measured[name], console)
+        show(WORKLOADS[name].TITLE, measured[name], console, before.of(name) if before else None)
     if asked.plot:
         asked.plot.write_text(rooms.plot(asked.quick), encoding="utf-8")
+    if asked.chart:
+        asked.chart.write_text(scaling.chart(measured["scaling"]), encoding="utf-8")
     if asked.json:
-        figures = {name: [asdict(figure) for figure in found] for name, found in measured.items()}
-        asked.json.write_text(json.dumps({"on": machine(), "figures": figures}, indent=1) + "\n", encoding="utf-8")
+        save(asked.json, Run(here, measured))
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ def run(quick: bool) -> list[Figure]:
     for workload, calls_of in works.items():
         race(calls_of, rounds=1, calls_each=10)
         seconds = race(calls_of, rounds, calls)
-        figures += [Figure(workload, name, 1e6 * value, "µs") for name, value in seconds.items()]
+        figures += [timing.figure(workload, name, 1e6, "µs") for name, timing in seconds.items()]
     return [*figures, *own_figures(rounds, calls)]
 
 
@@ -77,7 +77,7 @@ def own_figures(rounds: int, calls: int) -> list[Figure]:
         "restore": lambda: world.restore(state),
     }
     return [
-        Figure(workload, name, 1e6 * value, "µs")
+        timing.figure(workload, name, 1e6, "µs")
         for workload, work in works.items()
-        for name, value in race({"carom": work}, max(rounds // 10, 1), calls).items()
+        for name, timing in race({"carom": work}, max(rounds // 10, 1), calls).items()
     ]

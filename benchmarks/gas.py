@@ -1,7 +1,8 @@
-"""A gas: elastic balls in a box, a fifth of the area filled, a quarter of a radius a step."""
+"""A gas: elastic balls in a box, a fifth of the area filled, a quarter of a radius a step; and a loop for it alone."""
 
 from math import ceil, pi, sqrt
 
+from benchmarks.bare import bare_engines
 from benchmarks.common import Figure, race_steps
 from benchmarks.setup import Setup, all_directions, box, scattered
 
@@ -23,4 +24,4 @@ def gas(balls: int) -> Setup:
 def run(quick: bool) -> list[Figure]:
     """Milliseconds of one step."""
     balls, steps = (1_000, 20) if quick else (10_000, 400)
-    return race_steps(f"{balls:,} balls", gas(balls), steps, with_continuous=True)
+    return race_steps(f"{balls:,} balls", gas(balls), steps, with_continuous=True, beside=bare_engines())

@@ -52,7 +52,7 @@ def run(quick: bool) -> list[Figure]:
     before = {name: energy(world, setup) for name, world in worlds.items()}
     seconds = race({name: partial(step_and_read, world) for name, world in worlds.items()}, rounds, calls)
     figures = [
-        Figure("stepped and read", name, 1e6 * seconds[name], "µs a step", energy(world, setup) / before[name])
+        seconds[name].figure("stepped and read", name, 1e6, "µs a step", energy(world, setup) / before[name])
         for name, world in worlds.items()
     ]
     return [*figures, *inside_run(setup, 200 if quick else 20_000)]
@@ -76,6 +76,6 @@ def inside_run(setup: Setup, steps: int) -> list[Figure]:
     race(calls, rounds=1)
     seconds = race(calls, rounds=7)
     return [
-        Figure("inside run", name, 1e6 * seconds[name] / steps, "µs a substep", energy(engine, setup) / before[name])
+        seconds[name].figure("inside run", name, 1e6 / steps, "µs a substep", energy(engine, setup) / before[name])
         for name, engine in worlds.items()
     ]

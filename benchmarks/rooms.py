@@ -7,13 +7,11 @@ from time import process_time
 
 import numpy as np
 
+from benchmarks.chart import Chart, Curve
 from benchmarks.common import Figure
 from benchmarks.engines import CONTINUOUS, engines
 from benchmarks.setup import Floats, Setup
-from carom import Aabb
-from carom.draw.paint.painter import Lettering, Style
-from carom.draw.paint.svg import SvgPainter
-from carom.draw.parts.frame import Frame
+from carom.draw.paint.painter import Style
 
 TITLE = "Round room: one elastic ball, a true circle beside polygons; stepped and read"
 ROOM_RADIUS = 10.0
@@ -158,8 +156,6 @@ def figure_of(speed: float, history: History) -> Figure:
 
 # -- the plot --------------------------------------------------------------------------------------------------------
 
-WIDTH, HEIGHT = 900.0, 420.0
-LEFT, BOTTOM, RIGHT, TOP = 70.0, 56.0, 560.0, 380.0  # of the axes, in pixels from the lower left
 LEAST, MOST = -16, 2  # powers of ten of radii
 INKS = {"carom": "ball-3", CONTINUOUS: "ball-1", "pymunk": "ball-4", "Box2D": "ball-2"}
 DASHES: dict[str, tuple[float, ...]] = {"circle": (), "1,024 segments": (6.0, 4.0), "64 segments": (2.0, 4.0)}
@@ -167,45 +163,21 @@ DASHES: dict[str, tuple[float, ...]] = {"circle": (), "1,024 segments": (6.0, 4.
 
 def plot(quick: bool) -> str:
     """How far each ball is off the exact path, as SVG, after more and more impacts; at the lower speed."""
-    last = log10(20 if quick else 1_000)
-    frame = Frame(WIDTH, HEIGHT, Aabb(0.0, 0.0, WIDTH, HEIGHT), scale=1.0, stage_left=0.0, stage_top=0.0)
-    painter = SvgPainter(frame, title="How far a ball in a round room is off its exact path")
-    painter.layer("axes")
-    corners = np.array([(0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT), (0.0, HEIGHT)])
-    painter.polyline(corners, Style(fill="stage"))
-    draw_axes(painter, last)
-    painter.layer("curves")
+    chart = Chart(
+        "How far a ball in a round room is off its exact path",
+        "impacts",
+        "radii off the exact path",
+        across=(0.0, log10(20 if quick else 1_000)),
+        up=(LEAST, MOST, 2),
+    )
     shown = [history for history in histories(quick)[SPEEDS[0]] if history.room in DASHES]
-    for place, history in enumerate(shown):
-        style = Style(INKS[history.engine], width=1.8, dash=DASHES[history.room])
-        points = [(across(log10(max(count, 1.0)), last), up(log10(max(off, 1e-16)))) for count, off in history.off]
-        if len(points) > 1:
-            painter.polyline(np.array(points), style)
-        y = TOP - 14.0 - 24.0 * place
-        painter.segment((RIGHT + 24.0, y + 4.0), (RIGHT + 64.0, y + 4.0), style)
-        painter.text((RIGHT + 74.0, y), f"{history.engine}, {history.room}", Lettering())
-    return painter.finish()
-
-
-def across(power: float, last: float) -> float:
-    """The pixel of so many impacts."""
-    return LEFT + (RIGHT - LEFT) * power / last
-
-
-def up(power: float) -> float:
-    """The pixel of so many radii."""
-    return BOTTOM + (TOP - BOTTOM) * (power - LEAST) / (MOST - LEAST)
-
-
-def draw_axes(painter: SvgPainter, last: float) -> None:
-    """Draw a line and a number for each power of ten, and what the axes are."""
-    rule = Style("rule")
-    small = Lettering("muted", 12.0, anchor="middle")
-    for power in range(LEAST, MOST + 1, 2):
-        painter.segment((LEFT, up(power)), (RIGHT, up(power)), rule)
-        painter.text((LEFT - 24.0, up(power) - 4.0), f"1e{power}", small)
-    for power in range(floor(last) + 1):
-        painter.segment((across(power, last), BOTTOM), (across(power, last), TOP), rule)
-        painter.text((across(power, last), BOTTOM - 18.0), f"{10**power:,}", small)
-    painter.text((0.5 * (LEFT + RIGHT), BOTTOM - 40.0), "impacts", small)
-    painter.text((LEFT, TOP + 16.0), "radii off the exact path", Lettering("text", 13.0, bold=True))
+    return chart.draw(
+        [
+            Curve(
+                f"{history.engine}, {history.room}",
+                Style(INKS[history.engine], width=1.8, dash=DASHES[history.room]),
+                [(max(count, 1.0), max(off, 1e-16)) for count, off in history.off],
+            )
+            for history in shown
+        ]
+    )

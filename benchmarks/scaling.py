@@ -1,24 +1,56 @@
 """How the cost of a ball grows with their number, in the gas."""
 
+from benchmarks.bare import bare_engines
+from benchmarks.chart import Chart, Curve
 from benchmarks.common import TURN, Figure, race
 from benchmarks.engines import engines
 from benchmarks.gas import gas
+from carom.draw.paint.painter import Style
 
 TITLE = "Scaling: the gas, cost of a step per ball"
-MOST = {"carom": 1_000_000, "pymunk": 100_000, "Box2D": 100_000}  # the peers' balls are made one by one in Python
+#: The peers' balls are made one by one in Python.
+MOST = {"pymunk": 100_000, "Box2D": 100_000}
+#: Rounds of a crowd, and of few balls, which are soon done.
+FEWEST_ROUNDS, MOST_ROUNDS = 3, 300
+
+STYLES = {
+    "carom": Style("ball-3", width=2.4),
+    "pymunk": Style("ball-4", width=1.8),
+    "Box2D": Style("ball-2", width=1.8),
+    "bare loop, Numba": Style("ball-1", width=1.8, dash=(6.0, 4.0)),
+    "bare loop, C": Style("muted", width=1.8, dash=(2.0, 4.0)),
+}
 
 
 def run(quick: bool) -> list[Figure]:
     """Nanoseconds of a step per ball, for more and more balls."""
-    counts = (100, 1_000) if quick else (1_000, 10_000, 100_000, 1_000_000)
-    return [figure for count in counts for figure in _of(count, turns=1 if quick else max(3, 30_000 // count))]
+    powers = range(0, 4, 3) if quick else range(7)
+    return [figure for power in powers for figure in _of(10**power, quick)]
 
 
-def _of(count: int, turns: int) -> list[Figure]:
+def _of(count: int, quick: bool) -> list[Figure]:
     """The figures of one number of balls."""
     setup = gas(count)
-    worlds = {name: make(setup) for name, make in engines().items() if count <= MOST[name]}
-    calls = {name: world.step for name, world in worlds.items()}
+    makers = {name: make for name, make in (engines() | bare_engines()).items() if count <= MOST.get(name, count)}
+    calls = {name: make(setup).step for name, make in makers.items()}
     race(calls, rounds=1, calls_each=3)
-    seconds = race(calls, turns, calls_each=TURN)
-    return [Figure(f"{count:,} balls", name, 1e9 * seconds[name] / count, "ns a ball") for name in worlds]
+    rounds = 1 if quick else min(max(FEWEST_ROUNDS, 30_000 // count), MOST_ROUNDS)
+    timings = race(calls, rounds, calls_each=TURN)
+    return [timing.figure(_case(count), name, 1e9 / count, "ns a ball") for name, timing in timings.items()]
+
+
+def _case(count: int) -> str:
+    """The name of so many balls in the table."""
+    return f"{count:,} balls"
+
+
+def chart(figures: list[Figure]) -> str:
+    """The figures as a chart, SVG: both axes by powers of ten."""
+    places = {_case(10**power): float(10**power) for power in range(7)}
+    curves = [
+        Curve(name, style, [(places[figure.workload], figure.value) for figure in figures if figure.engine == name])
+        for name, style in STYLES.items()
+    ]
+    drawn = [curve for curve in curves if curve.points]
+    title = "What a step of the gas costs for each ball"
+    return Chart(title, "balls", "nanoseconds a ball", across=(0, 6), up=(0, 5, 1)).draw(drawn)
