@@ -29,6 +29,7 @@ from benchmarks import (
     scaling,
     startup,
     sweep,
+    worlds,
 )
 from benchmarks.common import Figure, show
 from benchmarks.saved import Run, load, save
@@ -48,6 +49,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "startup": startup,
     "memory": memory,
     "sweep": sweep,
+    "worlds": worlds,
 }
 
 

@@ -196,3 +196,19 @@ def row_bits(member: Member) -> list[bytes]:
     for row in rows:
         row["id"] = 0
     return [row.tobytes() for row in rows]
+
+
+def game_table(detection: Any) -> carom.World:
+    """A closed table with a flipper, a platform, a target that goes once hit, a sensor, and balls that come to rest."""
+    world = carom.World(gravity=(0, -6), detection=detection, substeps=2, sleep_speed=0.3, sleep_time=0.1)
+    world.add(*carom.outlines.rectangle(-4, -3, 4, 3, corner=0.7, elasticity=0.7))
+    world.add(carom.Circle((0, 0.8), 0.5, solid=True, elasticity=0.9, kick=1.0, name="bumper"))
+    world.add(carom.Segment((-1, 2), (1, 2.2), once=True, name="target"))
+    world.add(carom.Circle((2.5, 0), 0.6, sensor=True, name="sensor"))
+    flipper = [carom.Segment((-2, -1.2), (-0.6, -1.6)), carom.Point((-0.6, -1.6))]
+    world.add(carom.Compound(flipper, pivot=(-2, -1.2), turn_limits=(-0.2, 0.6), elasticity=0.3, name="flipper"))
+    platform = carom.Segment((0.5, -2), (1.5, -2), motion="kinematic", elasticity=0.5, name="platform")
+    world.add(platform)
+    for x, vx in ((-2.0, 3.0), (0.3, -1.0), (2.0, 0.5)):
+        world.add(carom.Ball((x, 1.5 + 0.1 * x), 0.2, (vx, 1.0), elasticity=0.8))
+    return world

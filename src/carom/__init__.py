@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from carom.shapes import outlines
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
     from carom.world.ahead import compile
+    from carom.worlds import Worlds
 
 __version__ = "0.1.0"
 
@@ -91,6 +92,7 @@ __all__ = [
     "UnknownName",
     "World",
     "WorldBusy",
+    "Worlds",
     "__version__",
     "angle_to_vector",
     "compile",
@@ -115,6 +117,7 @@ _LAZY = {
     "Hits": "carom.world",
     "Neighbor": "carom.world",
     "World": "carom.world",
+    "Worlds": "carom.worlds",
     "compile": "carom.world.ahead",
     "compiling": "carom.compiler.child",
     "Recorder": "carom.record",

@@ -93,6 +93,11 @@ TREE_COPIES_OF_SHAPES = 3
 INDEX_CELLS_PER_SHAPE = 64
 INDEX_CELLS_MOST = 65536
 
+#: Balls, and kinematic shapes, of which there are few: then these are one cell of their index, which is made anew
+#: whenever they move. Changes the speed alone.
+FEW_BALLS = 8
+FEW_MOVERS = 32
+
 #: Times that a ball which shapes push out of its cell goes on with those near its new place, in one iteration; then the
 #: next iteration does. Fewer, and broad phases may differ in which of two shapes pushes a ball first; more, and a world
 #: needs more room for hits.

@@ -6,12 +6,12 @@ from pathlib import Path
 from tests.conventions.source_trees import PACKAGE, ROOT, check_each, functions
 
 #: The rooms whose modules have tests of their name; games are tested as a player meets them, in `tests/play`.
-ROOMS = ("cli", "compiler", "draw", "geometry", "record", "rows", "scene", "shapes", "study", "world")
+ROOMS = ("cli", "compiler", "draw", "geometry", "record", "rows", "scene", "shapes", "study", "world", "worlds")
 
 #: What the rows of one table hold, and no more: `tests/unit/rows/test_tables.py` walks these tables.
 FIELDS_ALONE = {
     f"rows/{table}.py"
-    for table in ("ball", "flight", "hit", "index", "island", "query", "relation", "saved", "shape", "state")
+    for table in ("ball", "copies", "flight", "hit", "index", "island", "query", "relation", "saved", "shape", "state")
 }
 
 

@@ -7,6 +7,7 @@ are with `NUMBA_DISABLE_JIT=1` and without Numba.
 
 from __future__ import annotations
 
+import ctypes
 import os
 import threading
 from collections.abc import Callable
@@ -27,6 +28,9 @@ from carom.errors import CompileError
 #: The variable that says who waits for the compiler, and what it may say.
 VARIABLE = "CAROM_COMPILE"
 BACKGROUND, WAIT, OFF = WAYS = ("background", "wait", "off")
+
+#: The kernel that stands for the call of another by its address.
+CALL_AT = "call_at"
 
 _loaded: dict[Kernel, Kernel] = {}
 _registered: list[Kernel] = []
@@ -146,11 +150,15 @@ def register_once(numba: Any) -> None:
     """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
     if not _registered:
         _registered.extend(kernel_functions())
+        # No Python code calls the compiled callees, so there is no need of wrappers, which take long to compile.
+        options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
         for function in _registered:
-            # No Python code calls the compiled callees, so there is no need of wrappers, which take long to compile.
-            numba.extending.register_jitable(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)(
-                function
-            )
+            if function.__name__ == CALL_AT:
+                from carom.compiler.entered import called
+
+                numba.extending.overload(function, jit_options=options)(called)
+            else:
+                numba.extending.register_jitable(**options)(function)
 
 
 def _first_call(entry: Entry) -> Kernel:
@@ -263,6 +271,15 @@ class At:
 
     def __init__(self, at: Kernel) -> None:
         self.at = at
+
+    @property
+    def address(self) -> int:
+        """Where its code is, which other compiled code calls likewise, as C does."""
+        kernel: Any = self.at
+        if not hasattr(kernel, "overloads"):
+            return ctypes.cast(kernel, ctypes.c_void_p).value or 0
+        (compiled,) = kernel.overloads.values()
+        return int(compiled.library.get_pointer_to_function(compiled.fndesc.llvm_cfunc_wrapper_name))
 
     def __call__(self, block: Block) -> Any:
         """What the kernel returns."""

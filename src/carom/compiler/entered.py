@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from llvmlite import ir
 from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
@@ -52,6 +53,27 @@ def arguments_at(_typing: Any, address: Any, name: Any) -> Any:
         return argument_of(context, builder, kinds, words)
 
     return kinds(address, name), generate
+
+
+@intrinsic
+def _called(_typing: Any, function: Any, block: Any) -> Any:
+    """What the function at an address returns, which takes one word and returns one, as C functions do."""
+
+    def generate(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        word = context.get_value_type(types.int64)
+        pointer = builder.inttoptr(arguments[0], ir.FunctionType(word, [word]).as_pointer())
+        return builder.call(pointer, [arguments[1]])
+
+    return types.int64(function, block), generate
+
+
+def called(function: Any, block: Any) -> Any:  # noqa: ARG001  # Numba compares the signatures
+    """How Numba is to understand `call_at`, of which the interpreter sees a stand-in."""
+
+    def call(function: Any, block: Any) -> Any:
+        return _called(function, block)  # type: ignore[call-arg]
+
+    return call
 
 
 class Words:

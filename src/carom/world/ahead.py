@@ -16,12 +16,18 @@ from typing import Any
 import numpy as np
 
 from carom.compiler import door
+from carom.compiler.block import Block
 from carom.compiler.cache import cache_folder
 from carom.compiler.kernels import Kernel
 from carom.errors import CompileError
+from carom.rows.copies import JOB, LAYOUT
+from carom.rows.hit import HIT_ROW
+from carom.rows.index import INDEX
 from carom.rows.query import AIM, CAST_HIT, CONTACT, IN_BOX, NEIGHBOR, QUERY, SEARCH_GRID
-from carom.rows.state import CONTINUOUS
+from carom.rows.shape import SHAPE
+from carom.rows.state import CONTINUOUS, STATE
 from carom.world.kernels.continuous.film import step_continuous
+from carom.world.kernels.copies.stepping import step_copies
 from carom.world.kernels.queries.aiming import aim_many
 from carom.world.kernels.queries.casting import cast_many
 from carom.world.kernels.queries.nearest import nearest_many
@@ -102,7 +108,7 @@ def prebuild(folder: str, *names: str) -> None:
 
 
 def examples() -> dict[Kernel, tuple[Any, ...]]:
-    """Every kernel that a world calls, with arguments of the types that it calls it with."""
+    """Every kernel that worlds call, with arguments of the types that it calls it with."""
     discrete, continuous = Arrays(), Arrays()
     continuous.states[0]["detection"] = CONTINUOUS
     tables = discrete.shapes.used, discrete.balls.used
@@ -122,8 +128,19 @@ def examples() -> dict[Kernel, tuple[Any, ...]]:
         width_of_all: tables,
         build_search_grid: (np.zeros(1, SEARCH_GRID), *tables, numbers, numbers, numbers),
         aim_many: (queries, *casts, np.zeros(0, np.int64), np.zeros((0, 2)), *tables, False, np.zeros(0, AIM)),
+        step_copies: (_copies_block(),),
         step_continuous: (continuous.block(),),
     }
+
+
+def _copies_block() -> Block:
+    """What the kernel that steps many copies is called with."""
+    states, shapes, index = np.zeros(2, STATE), np.zeros(0, SHAPE), np.zeros(2, INDEX)
+    words, rows, hits = np.zeros(0, np.int64), np.zeros(0, "i4"), np.zeros(0, HIT_ROW)
+    jobs, layouts = np.zeros(1, JOB), np.zeros(1, LAYOUT)
+    memory = words, words.view(np.uint8), words
+    tables = states, (words,) * 6, shapes, index, rows, (rows, rows), hits
+    return Block((jobs, layouts, *memory, *tables, (hits, words), (words, words)))
 
 
 def main(names: Sequence[str]) -> int:

@@ -16,7 +16,7 @@ from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import BALL_KIND, Motion
-from carom.rows.state import DISCRETE, STATE, StateRow
+from carom.rows.state import STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -26,13 +26,12 @@ from carom.turns import Turn, alone
 from carom.world.departed import Departed
 from carom.world.entering import entering, leaving
 from carom.world.hits import NO_ROWS, Hits
-from carom.world.kernels.continuous.frames import is_any_changed
-from carom.world.kernels.step.rollback import was_changed
 from carom.world.link import Link
 from carom.world.removal import remove_rows
 from carom.world.search import Search
 from carom.world.tables import Arrays
 from carom.world.views import Balls, Shapes, see_lent
+from carom.world.waking import will_wake
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -335,11 +334,5 @@ class Members:
 
     def _will_wake(self) -> bool:
         """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
-        state = self._states[0]
         see_lent(self._world)
-        if state["wake"] or not state["sleeping"]:
-            return bool(state["wake"])
-        state["balls"] = self._arrays.balls.count
-        if state["detection"] != DISCRETE:
-            return bool(is_any_changed(state, self._arrays.balls.rows, self._arrays.flights))
-        return was_changed(state, self._arrays.balls.rows, self._arrays.saved)
+        return will_wake(self._arrays)

@@ -41,8 +41,7 @@ WORK = ("box_tests", "full_tests")
 
 def write_snapshot(world: World) -> bytes:
     """The bytes of a world's state."""
-    payload = _payload(world)
-    return MAGIC + _hash(payload) + payload
+    return sealed(payload(world._arrays, header_of(world), world._will_wake()))
 
 
 def digest_of(world: World) -> str:
@@ -50,19 +49,29 @@ def digest_of(world: World) -> str:
 
     In the continuous mode how much was searched is left out: it is all that depends on when one looks.
     """
-    return _hash(_payload(world, WORK if world._states[0]["detection"] != DISCRETE else ())).hex()
+    return hash_of(world._arrays, header_of(world), world._will_wake())
+
+
+def sealed(payload: bytes) -> bytes:
+    """A snapshot that holds some arrays."""
+    return MAGIC + _hash(payload) + payload
+
+
+def hash_of(arrays: Arrays, header: dict[str, Any], wake: bool) -> str:
+    """What `digest_of` says of a world with these tables, names and compounds, that wakes or does not."""
+    left_out = WORK if arrays.states[0]["detection"] != DISCRETE else ()
+    return _hash(payload(arrays, header, wake, left_out)).hex()
 
 
 def _hash(payload: bytes) -> bytes:
     return hashlib.blake2b(payload, digest_size=HASH_SIZE).digest()
 
 
-def _payload(world: World, left_out: tuple[str, ...] = ()) -> bytes:
+def payload(arrays: Arrays, header: dict[str, Any], wake: bool, left_out: tuple[str, ...] = ()) -> bytes:
     """The arrays of a snapshot, one after the other, with zeros for the counts that are left out."""
-    arrays = world._arrays
     state = np.array([arrays.states[0]], STATE)
     state["balls"], state["shapes"] = arrays.balls.count, arrays.shapes.count
-    state["wake"] = world._will_wake()
+    state["wake"] = wake
     for field in (*DERIVED, *left_out):
         state[field] = 0
     balls = arrays.balls.used.copy()
@@ -70,7 +79,7 @@ def _payload(world: World, left_out: tuple[str, ...] = ()) -> bytes:
     for field in ("sensor", "can_collide"):
         balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
     relations = np.array(relations_in_order(arrays), "f8").reshape(-1, 5)
-    text = np.frombuffer(json.dumps(_header(world), sort_keys=True).encode(), "u1")
+    text = np.frombuffer(json.dumps(header, sort_keys=True).encode(), "u1")
     file = io.BytesIO()
     pending = arrays.hits[: int(arrays.states[0]["hits"])]
     for array in (text, state, balls, arrays.shapes.used, relations, pending, _courses(arrays)):
@@ -88,7 +97,7 @@ def _courses(arrays: Arrays) -> Rows:
     return courses
 
 
-def _header(world: World) -> dict[str, Any]:
+def header_of(world: World) -> dict[str, Any]:
     """Names and compounds."""
     names = {str(key): member.name for key, member in list(world._objects.items()) if member.name is not None}
     compounds = [
@@ -103,7 +112,7 @@ def _header(world: World) -> dict[str, Any]:
     return {"names": names, "compounds": compounds}
 
 
-def _read(snapshot: Any) -> Contents:
+def read(snapshot: Any) -> Contents:
     """What a snapshot holds, checked; raises `SnapshotError` where that is not what a world can be in."""
     if not isinstance(snapshot, (bytes, bytearray, memoryview)):
         raise SnapshotError(f"snapshot must be bytes, not {type(snapshot).__name__}")
@@ -129,7 +138,7 @@ def _read(snapshot: Any) -> Contents:
 
 def read_snapshot(world: World, snapshot: bytes) -> None:
     """Make a world what the snapshot says, or raise `SnapshotError` and leave it as it was."""
-    contents = _read(snapshot)
+    contents = read(snapshot)
     arrays = world._arrays
     kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
     kinds.update({int(key): Ball._KIND for key in contents.balls["id"]})
@@ -137,15 +146,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
     for member in left:
         member._leave()
-    for table, rows in ((arrays.balls, contents.balls), (arrays.shapes, contents.shapes)):
-        table.rows = rows.copy()
-        table.count = len(rows)
-    arrays.states[0] = contents.state[0]
-    arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
-    arrays.states[0]["hits"] = len(contents.hits)
-    set_relations(arrays, contents.relation_list)
-    arrays.prepare()
-    _keep_saved(world, contents.courses)
+    fill(arrays, contents)
     # Ids that were given after the snapshot was taken will be given again, to others.
     world._departed = Departed()
     world._lent = None
@@ -154,9 +155,21 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     _restore_objects(world, contents, left)
 
 
-def _keep_saved(world: World, courses: Rows) -> None:
+def fill(arrays: Arrays, contents: Contents) -> None:
+    """Make tables what the contents say."""
+    for table, rows in ((arrays.balls, contents.balls), (arrays.shapes, contents.shapes)):
+        table.rows = rows.copy()
+        table.count = len(rows)
+    arrays.states[0] = contents.state[0]
+    arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
+    arrays.states[0]["hits"] = len(contents.hits)
+    set_relations(arrays, contents.relation_list)
+    arrays.prepare()
+    _keep_saved(arrays, contents.courses)
+
+
+def _keep_saved(arrays: Arrays, courses: Rows) -> None:
     """Fill in the flights, and the copy by which the next step sees whether balls were changed through views."""
-    arrays = world._arrays
     count = arrays.balls.count
     for field in COURSE.names or ():
         arrays.flights[field][: len(courses)] = courses[field]

@@ -72,7 +72,7 @@ def test_every_kernel_that_a_world_calls_is_compiled_for_the_types_of_that_call(
     world.detection = detection
     every_call(world)
     examples = ahead.examples()
-    steps = {"step_discrete", "step_continuous"}
+    steps = {"step_discrete", "step_continuous", "step_copies"}
     names = {kernel.__name__ for kernel, _ in called}
     assert names == {kernel.__name__ for kernel in examples} - steps | {f"step_{detection}"}
     for kernel, arguments in called:

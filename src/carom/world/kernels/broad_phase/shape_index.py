@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import fabs, floor, inf, sqrt
 
-from carom.constants import INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
+from carom.constants import FEW_BALLS, FEW_MOVERS, INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
 from carom.rows.ball import BallRow
 from carom.rows.index import NO_CHILD, CellRow, IndexRow
 from carom.rows.kinds_near import distance_to_shape
@@ -89,17 +89,22 @@ def build_index(
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)
     # From here on the fields say where cells and members are, for `locate`.
     side = cell_side(right - left, top - bottom, end - begin, reach)
+    # Where there are few, to make more than one cell whenever they move costs more than it saves.
+    whole = which == MOVING and state["balls"] <= FEW_BALLS and end - begin <= FEW_MOVERS
+    if whole:
+        side = max(side, INDEX_MARGIN * max(right - left, top - bottom))
     vast = side == inf
     entry["left"] = 0.0 if vast else left
     entry["bottom"] = 0.0 if vast else bottom
     entry["side"] = side
     entry["columns"] = 1
     entry["lines"] = 1
-    if state["broad_phase"] == GRID and not vast:
+    if state["broad_phase"] == GRID and not vast and not whole:
         built = build_grid(state, shapes, order, entry, begin, end, right - left, top - bottom, cells, members)
     else:
         width, height = right - left, top - bottom
-        built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, cells, members)
+        tree = state["broad_phase"] == QUADTREE and not vast and not whole
+        built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, tree, cells, members)
     for cell in range(entry["cells_begin"], entry["cells_end"]):
         if cells[cell]["child"] == NO_CHILD:
             entry["longest"] = max(entry["longest"], cells[cell]["end"] - cells[cell]["begin"])
@@ -116,12 +121,13 @@ def build_nodes(
     end: int,
     width: float,
     height: float,
+    tree: bool,
     cells: Table[CellRow],
     members: Table[int],
 ) -> bool:
     """True if the shapes `order[begin:end]` were put into a quadtree, or into one cell.
 
-    That is for brute force, and for a world that spans all numbers, which cannot be divided.
+    That is for brute force, for few shapes that move, and for a world that spans all numbers, which cannot be divided.
     """
     left, bottom, reach = float(entry["left"]), float(entry["bottom"]), float(entry["reach"])
     root = int(entry["cells_begin"])
@@ -134,7 +140,7 @@ def build_nodes(
     for k in range(begin, end):
         members[free - end + k] = order[k]
     last = root + 1
-    if state["broad_phase"] == QUADTREE and float(entry["side"]) < inf:
+    if tree:
         last = build_tree(state, balls, shapes, False, reach, cells, members, root, width, height)
     entry["cells_end"] = max(last, root)
     entry["members_end"] = free if last <= root + 1 else cells[last - 1]["end"]

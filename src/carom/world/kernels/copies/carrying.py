@@ -1,0 +1,123 @@
+"""A copy of a world is taken out of the memory of all copies into the tables of one world, and put back.
+
+Static shapes and their index stay in those tables: they are the same in all copies, but for the switches of some.
+"""
+
+from __future__ import annotations
+
+from carom.rows.copies import LayoutRow
+from carom.rows.index import IndexRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import FIXED
+
+#: The tables that a copy is carried into, word by word: state, balls, saved, flights, shapes, relations.
+WordTables = tuple[Table[int], Table[int], Table[int], Table[int], Table[int], Table[int]]
+
+
+def take_copy(
+    layout: LayoutRow,
+    memory: Table[int],
+    marks: Table[int],
+    copy: int,
+    state: StateRow,
+    words: WordTables,
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    queue: Table[int],
+    moving: Table[int],
+    switched: Table[int],
+) -> None:
+    """Take a copy out, ready to be stepped; `marks` are the bytes of the memory."""
+    carry(layout, memory, marks, copy, words, shapes, queue, moving, switched, True)
+    # The index of the static shapes serves all copies whose largest balls are the same.
+    state["index_stale"] = 0 if index[FIXED]["reach"] == state["reach"] else 1
+    state["moving_stale"] = 1
+    state["hits"] = 0
+    # The bins that balls in flight are filed in are not carried.
+    if state["binned"] != 0:
+        state["foreseen"] = 0
+
+
+def put_copy(
+    layout: LayoutRow,
+    memory: Table[int],
+    marks: Table[int],
+    copy: int,
+    state: StateRow,
+    words: WordTables,
+    shapes: Table[ShapeRow],
+    queue: Table[int],
+    moving: Table[int],
+    switched: Table[int],
+) -> bool:
+    """True if the copy was put back; False where there is too little room for its relations, and nothing was done."""
+    if state["relations_high"] > layout["relations_room"]:
+        return False
+    carry(layout, memory, marks, copy, words, shapes, queue, moving, switched, False)
+    return True
+
+
+def carry(
+    layout: LayoutRow,
+    memory: Table[int],
+    marks: Table[int],
+    copy: int,
+    words: WordTables,
+    shapes: Table[ShapeRow],
+    queue: Table[int],
+    moving: Table[int],
+    switched: Table[int],
+    out: bool,
+) -> None:
+    """Carry a copy out of the memory, or back into it."""
+    state_words, ball_words, saved_words, flight_words, shape_words, relation_words = words
+    begin = copy * int(layout["words"])
+    carry_words(memory, begin, state_words, 0, int(layout["state_words"]), out)
+    size = int(layout["shape_words"])
+    for k in range(len(moving)):
+        carry_words(memory, begin + int(layout["moving_at"]) + k * size, shape_words, int(moving[k]) * size, size, out)
+    carry_switches(marks, 8 * begin + int(layout["switches_at"]), shapes, switched, out)
+    in_play = 8 * begin + int(layout["in_play_at"])
+    row = 0
+    for slot in range(int(layout["balls"])):
+        if marks[in_play + slot] == 0:
+            continue
+        size = int(layout["ball_words"])
+        carry_words(memory, begin + int(layout["balls_at"]) + slot * size, ball_words, row * size, size, out)
+        size = int(layout["saved_words"])
+        carry_words(memory, begin + int(layout["saved_at"]) + slot * size, saved_words, row * size, size, out)
+        if layout["flights_at"] != 0:
+            size = int(layout["flight_words"])
+            carry_words(memory, begin + int(layout["flights_at"]) + slot * size, flight_words, row * size, size, out)
+            carry_words(memory, begin + int(layout["queue_at"]) + row, queue, row, 1, out)
+        row += 1
+    # How many there are stands in the state, which has been carried.
+    high = int(state_words[int(layout["high_word"])])
+    size = int(layout["relation_words"])
+    carry_words(memory, begin + int(layout["relations_at"]), relation_words, 0, high * size, out)
+
+
+def carry_words(memory: Table[int], begin: int, table: Table[int], to: int, count: int, out: bool) -> None:
+    """Carry words from the memory into a table, or back."""
+    if out:
+        for k in range(count):
+            table[to + k] = memory[begin + k]
+    else:
+        for k in range(count):
+            memory[begin + k] = table[to + k]
+
+
+def carry_switches(
+    marks: Table[int], begin: int, shapes: Table[ShapeRow], switched: Table[int], out: bool
+) -> None:  # fmt: skip
+    """Carry what may differ in static shapes: two bytes each, whether it collides at all and whether but once."""
+    for k in range(len(switched)):
+        shape, at = shapes[switched[k]], begin + 2 * k
+        if out:
+            shape["can_collide"] = marks[at]
+            shape["once"] = marks[at + 1]
+        else:
+            marks[at] = shape["can_collide"]
+            marks[at + 1] = shape["once"]

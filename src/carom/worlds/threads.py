@@ -1,0 +1,44 @@
+"""The threads on which copies are stepped: each has a stage and a share of the copies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from itertools import pairwise
+from threading import Event
+
+from carom.worlds.stage import Stage
+
+#: Copies for which it is worth it to wake one more thread.
+SHARE = 16
+
+
+class Crew:
+    """Threads that are started when they are first needed, at most so many."""
+
+    def __init__(self, most: int) -> None:
+        self.most = most
+        self._pool: ThreadPoolExecutor | None = None
+
+    def shares(self, count: int) -> list[tuple[int, int]]:
+        """The copies of each thread, from the first to before the last."""
+        threads = max(1, min(self.most, count // SHARE))
+        ends = [count * k // threads for k in range(threads + 1)]
+        return list(pairwise(ends))
+
+    def work(self, stages: Sequence[Stage]) -> bool:
+        """True if all stages have done their jobs; False where the memory lacks room for one."""
+        stop = Event()
+        if len(stages) == 1:
+            return stages[0].work(stop)
+        if self._pool is None:
+            self._pool = ThreadPoolExecutor(self.most - 1, thread_name_prefix="carom-worlds")
+        others = [self._pool.submit(stage.work, stop) for stage in stages[1:]]
+        try:
+            done = stages[0].work(stop)
+            return all([done, *(other.result() for other in others)])
+        except BaseException:
+            # Nobody may write to the memory any more when this is left.
+            stop.set()
+            wait(others)
+            raise
