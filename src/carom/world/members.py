@@ -20,6 +20,7 @@ from carom.rows.state import DISCRETE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
 from carom.turns import Turn, alone
@@ -38,10 +39,10 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 R = TypeVar("R")
-T = TypeVar("T", bound=Shape | Ball | Compound)
-T2 = TypeVar("T2", bound=Shape | Ball | Compound)
-T3 = TypeVar("T3", bound=Shape | Ball | Compound)
-T4 = TypeVar("T4", bound=Shape | Ball | Compound)
+T = TypeVar("T", bound=Shape | Ball | Compound | Group)
+T2 = TypeVar("T2", bound=Shape | Ball | Compound | Group)
+T3 = TypeVar("T3", bound=Shape | Ball | Compound | Group)
+T4 = TypeVar("T4", bound=Shape | Ball | Compound | Group)
 
 NO_BALLS: Rows = np.zeros(0, BALL)
 
@@ -65,8 +66,8 @@ class Members:
     def _forget_objects(self) -> None:
         """Begin with no objects at all."""
         self._objects: dict[int, Shape | Ball] = {}
-        self._added: dict[int, Shape | Compound] = {}
-        self._listed: list[Shape | Compound] = []
+        self._added: dict[int, Shape | Compound | Group] = {}
+        self._listed: list[Shape | Compound | Group] = []
         self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
@@ -116,13 +117,13 @@ class Members:
     def add(self, *shapes: T) -> tuple[T, ...]: ...
     @alone
     def add(self, *shapes: Any) -> Any:
-        """What was given, which is now in the world: shapes, compounds and balls, live views of their rows here.
+        """What was given, now in the world: shapes, compounds, groups and balls, from here on views of their rows here.
 
         One comes back as it is, several as a tuple, in the order in which they were given and have been added.
 
         Raises:
-            InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound that is
-                not, or stands there twice. None has been added then.
+            InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound or
+                group that is not, or stands there twice. None has been added then.
         """
         self._take_in(shapes)
         return shapes[0] if len(shapes) == 1 else shapes
@@ -135,20 +136,24 @@ class Members:
         for shape, each in zip(shapes, members, strict=True):
             for member in each:
                 self._enter(member)
-            if isinstance(shape, Compound) or (isinstance(shape, Shape) and shape.compound is None):
+            if isinstance(shape, Group):
+                shape._tie()
+            if isinstance(shape, Compound | Group) or (isinstance(shape, Shape) and shape._whole is None):
                 self._added[each[0].id or 0] = shape
                 self._listed.append(shape)
         if shapes:
             self._rearrange()
 
     def _take_part(self, shape: Shape) -> None:
-        """Take in a shape that has become part of a compound which is here; it is listed no more, if it was."""
+        """Take in a shape that has become part of a whole which is here; it is listed no more, if it was."""
         if shape.world is None:
             self._take_in((shape,))
         elif self._added.pop(shape.id or 0, None) is not None:
             self._listed = []
+        if shape.group is not None:
+            shape.group._tie()
 
-    def _list(self) -> list[Shape | Compound]:
+    def _list(self) -> list[Shape | Compound | Group]:
         """What was added, in that order: a list that is made anew only after something was taken out."""
         if len(self._listed) != len(self._added):
             self._listed = list(self._added.values())
@@ -231,8 +236,8 @@ class Members:
         return rows["id"].copy()
 
     @alone
-    def remove(self, *shapes: Shape | Compound | Ball) -> None:
-        """Take shapes, compounds and balls out of the world; the objects keep their last values.
+    def remove(self, *shapes: Shape | Compound | Group | Ball) -> None:
+        """Take shapes, compounds, groups and balls out of the world; the objects keep their last values.
 
         A sensor that one of them was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next
         step. Many are taken out at once as fast as one; what is given twice is taken out once. What has left since the
@@ -240,7 +245,8 @@ class Members:
         and `for hit in hits: world.remove(hit.ball)` is right.
 
         Raises:
-            InvalidArgument: One of them is not in this world, or is part of a compound. None has been taken out then.
+            InvalidArgument: One of them is not in this world, or is part of a compound or group. None has been taken
+                out then.
         """
         leavers = leaving(self, shapes)
         gone = {table: self._none_of(table.count) for table in (self._arrays.balls, self._arrays.shapes)}

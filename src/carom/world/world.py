@@ -178,9 +178,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             dt: The length of a step; positive.
             progress: Called with the seconds done and the seconds in all, a few times a second. It may look at the
                 world, ask it and change it, which acts at once; to step it is refused.
-            until: Ends the run. A number: so many hits, of every kind and all balls together. A shape, compound or
-                ball, or a name: a ball has bounced off it or come into it. A function: called after every step with
-                the hits of that step, it returns whether the run is over; it may do what `progress` may.
+            until: Ends the run. A number: so many hits, of every kind and all balls together. A shape, compound,
+                group or ball, or a name: a ball has bounced off it or come into it. A function: called after every step
+                with the hits of that step, it returns whether the run is over; it may do what `progress` may.
             until_each: Ends the run when every ball in the world has had so many hits since it began. A hit of two
                 balls is one of each.
             keep: "all": every hit is returned. "counts": the hits are counted by what was hit, and no more is kept than
