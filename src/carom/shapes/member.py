@@ -59,7 +59,7 @@ class Member(Named, ABC, Generic[R]):
     def _enter(self, world: Home, table: RowTable[R], index: int) -> None:
         """Copy the row to `table.rows[index]`, all but the `id`, which the world has written there.
 
-        From here on the object is a view of that row, and `_change` calls `world._changed(self)`. The caller has made
+        From here on the object is a view of that row, and `_change` calls `world._changed()`. The caller has made
         sure that the member is in no world.
         """
         member_id = int(table.rows[index]["id"])
@@ -99,7 +99,7 @@ class Member(Named, ABC, Generic[R]):
     def _change(self) -> None:
         """Tell the world that the row was changed from outside."""
         if self._world is not None:
-            self._world._changed(self)
+            self._world._changed()
 
     def _write(self, row: R) -> None:
         """Make `row`, which was checked, the member's row, and tell the world."""

@@ -78,6 +78,12 @@ class Mover(OnRails, Member[ShapeRow]):
         row["drops_with"] = 0
         return row
 
+    def _write(self, row: ShapeRow) -> None:
+        before = None if self._world is None else self._row.copy()
+        self._table.write(self, row)
+        if self._world is not None:
+            self._world._moved(self, before)
+
     def _check(self, row: ShapeRow, name: str, value: object) -> None:
         """Raise where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
         box = row["left"], row["bottom"], row["right"], row["top"]

@@ -131,8 +131,14 @@ class OnRails(Named):
         """Have `write` check and write what was set of the motion; it refuses the first row before any has changed."""
         self._refuse_part(name, value)
         for shape in self._carried:
-            write(shape._row, value)
-            shape._change()
+            row = shape._row
+            world = shape._world
+            if world is None:
+                write(row, value)
+                continue
+            before = row.copy()
+            write(row, value)
+            world._moved(shape, before)
 
     @property
     def angular_velocity(self) -> float:

@@ -26,8 +26,11 @@ class Home(Protocol):
 
     _turn: Turn
 
-    def _changed(self, member: Any) -> None:
-        """Called after a member's row was changed from outside, with the member."""
+    def _changed(self) -> None:
+        """Called after a member's row was changed from outside."""
+
+    def _moved(self, shape: Any, before: Any) -> None:
+        """Called instead where that may say where and how a shape lies or moves, with the row that it had."""
 
 
 class RowTable(Generic[R]):

@@ -15,7 +15,7 @@ from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import BALL_KIND, Motion
+from carom.rows.shape import KINEMATIC, STATIC, ShapeRow
 from carom.rows.state import DISCRETE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
@@ -131,7 +131,8 @@ class Members:
     def _take_in(self, shapes: Sequence[Any]) -> None:
         """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
-        for table, kind in ((self._arrays.balls, Ball), (self._arrays.shapes, Shape)):
+        first = self._arrays.shape_table.count
+        for table, kind in ((self._arrays.balls, Ball), (self._arrays.shape_table, Shape)):
             table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
         for shape, each in zip(shapes, members, strict=True):
             for member in each:
@@ -142,6 +143,7 @@ class Members:
                 self._added[each[0].id or 0] = shape
                 self._listed.append(shape)
         if shapes:
+            self._arrays.note_come(first)
             self._rearrange()
 
     def _take_part(self, shape: Shape) -> None:
@@ -249,7 +251,8 @@ class Members:
                 out then.
         """
         leavers = leaving(self, shapes)
-        gone = {table: self._none_of(table.count) for table in (self._arrays.balls, self._arrays.shapes)}
+        tables = (self._arrays.balls, self._arrays.shape_table)
+        gone = {table: self._none_of(table.count) for table in tables}
         for members in leavers:
             self._added.pop(members[0].id or 0, None)
             self._listed = []
@@ -257,7 +260,7 @@ class Members:
                 table = self._arrays.table_of(member)
                 gone[table][table.index(member)] = True
         if leavers:
-            self._remove(gone[self._arrays.balls], gone[self._arrays.shapes])
+            self._remove(*gone.values())
 
     @staticmethod
     def _none_of(count: int) -> NDArray[np.bool_]:
@@ -266,7 +269,7 @@ class Members:
 
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
         """Detach the objects of rows and take the rows out."""
-        for table, gone in ((self._arrays.balls, balls), (self._arrays.shapes, shapes)):
+        for table, gone in ((self._arrays.balls, balls), (self._arrays.shape_table, shapes)):
             for member_id in table.used["id"][gone]:
                 member = self._objects.pop(int(member_id), None)
                 if member is not None:
@@ -312,20 +315,26 @@ class Members:
 
     # -- changes -----------------------------------------------------------------------------------------------------
 
-    def _changed(self, member: Any) -> None:
-        """Take note that a member was changed from outside."""
+    def _changed(self) -> None:
+        """Take note that a member was changed from outside, but not where and how it lies or moves."""
         self._halves[WAKE] = 1
-        if member._KIND == BALL_KIND:
-            return
-        moving = self._arrays.moving
-        if self._block is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
+
+    def _moved(self, shape: Shape, before: ShapeRow) -> None:
+        """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
+        self._halves[WAKE] = 1
+        row, layout = shape._row, self._arrays.layout
+        if row["motion"] == before["motion"] == KINEMATIC:
             self._states[0]["moving_stale"] = 1
+            return
+        if row["motion"] == before["motion"] == STATIC:
+            layout.note_moved(shape._table.index(shape), before)
         else:
-            self._rearrange()
+            layout.forget()
+        self._rearrange()
 
     def _changed_all(self) -> None:
         """Take note that a setting was changed, or that balls may have been."""
-        self._states[0]["wake"] = 1
+        self._arrays.layout.forget()
         self._rearrange()
 
     def _rearrange(self) -> None:

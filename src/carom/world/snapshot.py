@@ -137,9 +137,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
     for member in left:
         member._leave()
-    for table, rows in ((arrays.balls, contents.balls), (arrays.shapes, contents.shapes)):
-        table.rows = rows.copy()
-        table.count = len(rows)
+    arrays.fill(contents.balls, contents.shapes)
     arrays.states[0] = contents.state[0]
     arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
     arrays.states[0]["hits"] = len(contents.hits)

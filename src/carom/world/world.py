@@ -279,7 +279,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             rows = self._arrays.balls.used
             strays = rows["stray"] != 0
             self._removed.append(rows[strays].copy())
-            self._remove(strays, self._none_of(self._arrays.shapes.count))
+            self._remove(strays, self._none_of(self._arrays.shape_table.count))
             self._arrays.prepare()
         else:
             error = refusal(status, self._arrays)
@@ -291,7 +291,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """Undo the part of a step that was interrupted in the interpreter."""
         arrays = self._arrays
         tables = (
-            arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+            arrays.states, arrays.balls.rows, arrays.shape_table.rows, arrays.order, arrays.saved, arrays.relations
         )  # fmt: skip
         if arrays.states[0]["detection"] == DISCRETE:
             roll_back(*tables)
