@@ -148,7 +148,7 @@ class Compound(Assembly, OnRails):
         return tuple(self._parts[1:])
 
     def _part_row(self, name: str, shape: Shape) -> ShapeRow:
-        row, center = shape._row.copy(), self.center_point._row
+        row, center = shape._table.copied(shape), self.center_point._row
         row["motion"] = KINEMATIC
         row["pivot_x"], row["pivot_y"] = center["initial_pivot_x"], center["initial_pivot_y"]
         set_initial(row)

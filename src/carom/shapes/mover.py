@@ -79,7 +79,7 @@ class Mover(OnRails, Member[ShapeRow]):
         return row
 
     def _write(self, row: ShapeRow) -> None:
-        before = None if self._world is None else self._row.copy()
+        before = None if self._world is None else self._table.copied(self)
         self._table.write(self, row)
         if self._world is not None:
             self._world._moved(self, before)
@@ -102,7 +102,7 @@ class Mover(OnRails, Member[ShapeRow]):
 
     def _still_row(self) -> ShapeRow:
         """A copy of the row, at rest where it is if `move_to` has sent it somewhere."""
-        row = self._row.copy()
+        row = self._table.copied(self)
         halt(row)
         return row
 
@@ -242,7 +242,10 @@ class Mover(OnRails, Member[ShapeRow]):
     def motion(self, value: MotionName | Motion) -> None:
         if self.group is not None and motion_value(value) != STATIC:
             raise refuse("motion", "must stay 'static' for a part of a group", value)
-        self._set_motion("motion", write_motion, value)
+        self._refuse_part("motion", value)
+        row = self._table.copied(self)
+        write_motion(row, value)
+        self._write(row)
 
     @property
     def compound(self) -> Compound | None:

@@ -15,7 +15,7 @@ from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import KINEMATIC, STATIC, ShapeRow
+from carom.rows.shape import BALL_KIND, KINEMATIC, STATIC, ShapeRow
 from carom.rows.state import DISCRETE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
@@ -49,6 +49,9 @@ NO_BALLS: Rows = np.zeros(0, BALL)
 #: The word of a state, one of 32 bits, that says whether something was changed.
 WAKE = STATE.fields["wake"][1] // 4  # type: ignore[index]
 
+#: The word, one of 64 bits, that says whether the kinematic shapes have moved.
+MOVING_STALE = STATE.fields["moving_stale"][1] // 8  # type: ignore[index]
+
 
 class Members:
     """The shapes and balls of a `World`: the objects, and the rows that they are views of."""
@@ -56,6 +59,7 @@ class Members:
     _arrays: Arrays
     _states: Table[StateRow]
     _halves: memoryview[int]
+    _words: memoryview[int]
     _search: Search | None
 
     @property
@@ -132,11 +136,8 @@ class Members:
         """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
         first = self._arrays.shape_table.count
-        for table, kind in ((self._arrays.balls, Ball), (self._arrays.shape_table, Shape)):
-            table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
+        self._enter([member for each in members for member in each])
         for shape, each in zip(shapes, members, strict=True):
-            for member in each:
-                self._enter(member)
             if isinstance(shape, Group):
                 shape._tie()
             if isinstance(shape, Compound | Group) or (isinstance(shape, Shape) and shape._whole is None):
@@ -161,14 +162,17 @@ class Members:
             self._listed = list(self._added.values())
         return self._listed
 
-    def _enter(self, member: Shape | Ball) -> None:
-        """Give a member a row at the end of its table, where there is room for it."""
-        table = self._arrays.table_of(member)
-        index = table.count
-        table.rows[index]["id"] = self._next_ids(1)[0]
-        table.count += 1
-        member._enter(self, table, index)
-        self._objects[int(table.rows[index]["id"])] = member
+    def _enter(self, members: list[Shape | Ball]) -> None:
+        """Give members rows at the ends of their tables."""
+        ids: list[int] = self._next_ids(len(members)).tolist()
+        for table, of_balls in ((self._arrays.balls, True), (self._arrays.shape_table, False)):
+            come = [pair for pair in zip(ids, members, strict=True) if (pair[1]._KIND == BALL_KIND) is of_balls]
+            if come:
+                first = table.count
+                table.append([member._table.rows.tobytes() for _, member in come], [member_id for member_id, _ in come])
+                for index, (member_id, member) in enumerate(come, first):
+                    member._enter(self, table, index, member_id)  # type: ignore[arg-type]
+        self._objects.update(zip(ids, members, strict=True))
 
     def _next_ids(self, count: int) -> NDArray[np.int64]:
         """Ids that were never used."""
@@ -319,12 +323,17 @@ class Members:
         """Take note that a member was changed from outside, but not where and how it lies or moves."""
         self._halves[WAKE] = 1
 
+    def _set_going(self) -> None:
+        """Take note that shapes were set to move otherwise, which are where they were."""
+        self._halves[WAKE] = 1
+        self._words[MOVING_STALE] = 1
+
     def _moved(self, shape: Shape, before: ShapeRow) -> None:
         """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
         self._halves[WAKE] = 1
         row, layout = shape._row, self._arrays.layout
         if row["motion"] == before["motion"] == KINEMATIC:
-            self._states[0]["moving_stale"] = 1
+            self._words[MOVING_STALE] = 1
             return
         if row["motion"] == before["motion"] == STATIC:
             layout.note_moved(shape._table.index(shape), before)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -68,6 +69,14 @@ class WorldTable(RowTable[R]):
         """Make room for `capacity` rows in all, twice as many as there were unless `doubling` is False."""
         if capacity > len(self.rows):
             self.rows = grown(self.rows, max(capacity, 2 * self.count) if doubling else capacity, self.count)
+
+    def append(self, lone: list[bytes], ids: Sequence[int]) -> None:
+        """Add rows, which come as bytes, with other ids; these must be higher than those that are there."""
+        self.reserve(self.count + len(ids))
+        first, self.count = self.count, self.count + len(ids)
+        words = self.rows.view(np.uint64).reshape(len(self.rows), -1)
+        words[first : self.count] = np.frombuffer(b"".join(lone), np.uint64).reshape(len(ids), -1)
+        self.rows["id"][first : self.count] = ids
 
     def drop(self, gone: NDArray[np.bool_]) -> None:
         """Take out the rows where the mask `gone` is True; the others move up and keep their order."""
