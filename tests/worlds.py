@@ -14,7 +14,7 @@ import carom
 
 SIDE = 12.0
 
-Member = carom.Shape | carom.Compound | carom.Ball
+Member = carom.Shape | carom.Compound | carom.Group | carom.Ball
 
 
 def world_of(*members: Member, **settings: Any) -> carom.World:
@@ -190,8 +190,8 @@ def bits(rows: Any) -> bytes:
 
 
 def row_bits(member: Member) -> list[bytes]:
-    """All that a shape or ball knows, and a compound's parts, but for their ids."""
-    parts = (member.center_point, *member.shapes) if isinstance(member, carom.Compound) else (member,)
+    """All that a shape or ball knows, and the parts of a compound or group, but for their ids."""
+    parts = member._parts if isinstance(member, carom.Compound | carom.Group) else (member,)
     rows = [part._row.copy() for part in parts]
     for row in rows:
         row["id"] = 0

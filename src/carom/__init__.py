@@ -38,6 +38,7 @@ from carom.shapes.circle import Circle
 from carom.shapes.compound import Compound
 from carom.shapes.detection import Contact
 from carom.shapes.gate import Gate
+from carom.shapes.group import Group
 from carom.shapes.guard import guard_points
 from carom.shapes.helpers import angle_to_vector, normalize, normalize_angle, parallel_component, perp, rotate_point
 from carom.shapes.line import Line
@@ -69,6 +70,7 @@ __all__ = [
     "Compound",
     "Contact",
     "Gate",
+    "Group",
     "HitKind",
     "Hits",
     "ImpactLimit",

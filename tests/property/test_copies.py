@@ -46,6 +46,10 @@ class Mill(carom.Compound):
     """A user's compound, with attributes of its own."""
 
 
+class Brick(carom.Group):
+    """A user's group, with attributes of its own."""
+
+
 class Arena(carom.World):
     """A user's world, which knows its boss."""
 
@@ -62,6 +66,7 @@ def arena() -> Arena:
     world.add(carom.Circle((0, 1), 2, sensor=True, solid=True))
     vane = carom.Segment((-4, 2), (-3, 2))
     world.add(Mill([vane, carom.Point((-3, 2))], (-4, 2), angular_velocity=1.0, elasticity=0.5, name="mill"))
+    world.add(Brick([carom.Segment((8, 0), (9, 0)), carom.Point((9, 0))], once=True, name="brick"))
     world.boss = world.add(Enemy((0, 0.6), 0.5, velocity=(1, -1), name="boss"))
     world.slotted = [world.boss]
     world.add(carom.Ball((0.5, 1.6), 0.5, velocity=(-1, 0)))
@@ -77,7 +82,9 @@ def things_of(world: Arena, draw: Any) -> list[Any]:
     if draw(st.booleans()):
         world.remove(gone)
     (mill,) = [shape for shape in world.shapes if isinstance(shape, carom.Compound)]
-    pool = [world, world, *world.balls[:4], gone, *world.shapes, mill.shapes[0], mill.center_point, hits, hits[:1]]
+    brick = world.shapes["brick"]
+    pool = [world, world, *world.balls[:4], gone, *world.shapes, mill.shapes[0], mill.center_point, brick.shapes[1]]
+    pool += [hits, hits[:1]]
     pool += [world.contacts(), *world.contacts()[:1], world.ray_cast([(0, 9), (50, 9)], (0, -9))]
     pool += [world.nearest((0, 0)), world.nearest([(0, 0)]), world.balls, world.shapes, world.statistics, *hits[:1]]
     pool += [world.aim(world.boss, (1, 0)), world.aim([world.boss], (1, 0))]
@@ -86,7 +93,7 @@ def things_of(world: Arena, draw: Any) -> list[Any]:
 
 def hang(draw: Any, pool: list[Any]) -> None:
     """Hang things of the pool on others."""
-    owners = [thing for thing in pool if isinstance(thing, (carom.Shape, carom.Ball, carom.Compound))]
+    owners = [thing for thing in pool if isinstance(thing, (carom.Shape, carom.Ball, carom.Compound, carom.Group))]
     for owner in draw(st.lists(st.sampled_from(owners), max_size=4)):
         owner.user = [draw(st.sampled_from(pool)), "shared"]
     for enemy in owners:
@@ -121,6 +128,8 @@ def references(thing: Any) -> list[Any]:
         return [*members, *added, *known, thing.boss, thing.slotted]
     if isinstance(thing, carom.Compound):
         return [thing.user, thing.center_point, *thing.shapes, vars(thing)]
+    if isinstance(thing, carom.Group):
+        return [thing.user, *thing.shapes, vars(thing)]
     if isinstance(thing, (carom.Shape, carom.Ball)):
         return [thing.user, getattr(thing, "friends", None)]
     if isinstance(thing, (Balls, Shapes, type(arena().statistics))):
@@ -165,7 +174,7 @@ def check(thing: Any, twin: Any, pickled: bool) -> None:
         twins[id(one)] = other
         assert other is not one or isinstance(one, tuple)
         waiting += zip(references(one), references(other), strict=True)
-        if isinstance(one, (carom.Shape, carom.Ball, carom.Compound)):
+        if isinstance(one, (carom.Shape, carom.Ball, carom.Compound, carom.Group)):
             home = one.world if id(one.world) in taken else None
             assert (other.world is None) == (home is None)
             assert (one.name, getattr(one, "lives", 0), getattr(one, "mark", "")) == (

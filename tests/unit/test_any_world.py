@@ -74,7 +74,7 @@ class Story:
         return recorder.finish()
 
 
-def every_shape() -> list[carom.Shape | carom.Compound]:
+def every_shape() -> list[carom.Shape | carom.Compound | carom.Group]:
     """A shape of each kind, none in the way of the balls."""
     return [
         carom.Point((0.0, 0.0)),
@@ -83,6 +83,7 @@ def every_shape() -> list[carom.Shape | carom.Compound]:
         carom.Arc((8.0, 2.0), 1.0, 0.0, 3.0),
         carom.Gate((0.0, 7.0), (10.0, 7.0), direction=(0.0, 1.0)),
         carom.Compound([carom.Segment((4.0, 1.0), (6.0, 1.0))], pivot=(5.0, 1.0), angular_velocity=1.0, name="paddle"),
+        carom.Group(carom.outlines.rectangle(4.0, 8.0, 5.0, 9.0), once=True, name="brick"),
     ]
 
 

@@ -79,6 +79,7 @@ BAD: dict[str, list[Any]] = {
     "mass": [*NO_NUMBERS, 0, -0.0, -1],
     "friction": [*_some(NO_NUMBERS), -1e-9, -1],
     "shapes": [None, 5, [None], [carom.Ball((0, 0), 1)], [carom.Compound([], (0, 0))]],
+    "Group.shapes": [None, 5, [], [None], [carom.Ball((0, 0), 1)], [carom.Circle((0, 0), 1, motion="kinematic")]],
     "shape": [None, carom.Ball((0, 0), 1), carom.Compound([], (0, 0))],
     "orientation": NO_NUMBERS,
     # boxes and lines
@@ -117,6 +118,13 @@ BAD: dict[str, list[Any]] = {
     "Compound.once": _some(NO_FLAGS),
     "Compound.layer": _some(NO_MASKS),
     "Compound.collides_with": _some(NO_MASKS),
+    "Group.elasticity": [*_some(NO_NUMBERS), -1e-9],
+    "Group.kick": [*_some(NO_NUMBERS), -1e-9],
+    "Group.sensor": _some(NO_FLAGS),
+    "Group.can_collide": _some(NO_FLAGS),
+    "Group.once": _some(NO_FLAGS),
+    "Group.layer": _some(NO_MASKS),
+    "Group.collides_with": _some(NO_MASKS),
     "Compound.orientation": [*NO_NUMBERS, 2.0, -2.0],
     "rotate.angle": [*NO_NUMBERS, 2.0, -2.0],
     "move_to.dt": [*NO_NUMBERS, 0, -0.0, -1e-9, 1e-320],
@@ -140,6 +148,7 @@ GOOD: dict[str, Callable[[], dict[str, Any]]] = {
     "Circle": lambda: {"center": (1, 2), "radius": 3},
     "Compound": lambda: {"shapes": [carom.Point((3, 4))], "pivot": (0, 0)},
     "Gate": lambda: {"start": (1, 2), "end": (5, 4), "direction": (0, 1)},
+    "Group": lambda: {"shapes": [carom.Point((3, 4))]},
     "Line": lambda: {"point": (1, 2), "gradient": 3.0},
     "Point": lambda: {"position": (1, 2)},
     "Segment": lambda: {"start": (1, 2), "end": (5, 4)},
@@ -272,6 +281,8 @@ def state(thing: Any) -> Any:
     """All that an object knows, to compare before and after."""
     if isinstance(thing, carom.Compound):
         return [state(part) for part in (thing.center_point, *thing.shapes)], dict(thing._surface), thing.name
+    if isinstance(thing, carom.Group):
+        return [state(part) for part in thing.shapes], dict(thing._surface), thing.name
     if isinstance(thing, carom.Shape | carom.Ball):
         return thing._row.tobytes(), thing.name, getattr(thing, "compound", None)
     return repr(thing)

@@ -128,6 +128,7 @@ SUBJECTS: dict[str, Callable[[], Any]] = {
     "Arc": lambda: carom.Arc((1, 2), 3, 0, 1),
     "Ball": lambda: carom.Ball((1, 2), 3),
     "Compound": lambda: carom.Compound([], (0, 0)),
+    "Group": lambda: carom.Group([carom.Point((1, 2))]),
 }
 
 
@@ -210,7 +211,7 @@ def tables(scene: carom.Scene) -> Iterator[tuple[str, type, Callable[[dict[str, 
 SCENE = carom.Scene(
     world={"gravity": (0, -1)},
     shapes=[
-        *(make() for kind, make in SUBJECTS.items() if kind not in {"World", "Ball", "Compound"}),
+        *(make() for kind, make in SUBJECTS.items() if kind not in {"World", "Ball", "Compound", "Group"}),
         carom.Compound([carom.Circle((0, 0), 1)], (0, 0)),
     ],
     balls=[carom.Ball((0, 0), 1)],

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from carom.draw.parts.frame import Size
     from carom.scene import Scene
     from carom.shapes.compound import Compound
+    from carom.shapes.group import Group
     from carom.shapes.shape import Shape
     from carom.world.world import World
 
@@ -297,8 +298,8 @@ def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO, scene: Scene | None
     return text if scene is None else with_scene(text, scene.plain())
 
 
-def looks_of(shapes: Iterable[Shape | Compound]) -> tuple[tuple[Shape, Look], ...]:
-    """Each shape with its look, in the order in which they are drawn; the parts of compounds in place of these."""
+def looks_of(shapes: Iterable[Shape | Compound | Group]) -> tuple[tuple[Shape, Look], ...]:
+    """Each shape with its look, in the order in which they are drawn; parts in place of compounds and groups."""
     listed = parts(shapes)
     return tuple((drawn.shape, drawn.look) for drawn in drawn_of(listed, range(len(listed))))
 

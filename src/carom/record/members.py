@@ -1,4 +1,4 @@
-"""What the shapes and balls of a world are called, how often they were touched, and what compounds stand for."""
+"""What the shapes and balls of a world are called, how often they were touched, and what those of many parts are."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from carom.rows.pose import pose
 from carom.scene.guarding import guarded
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.world.touches import touches_of
 
 if TYPE_CHECKING:
@@ -26,9 +27,9 @@ if TYPE_CHECKING:
 BALLS = "ball against ball"
 
 
-def parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
-    """The single shapes among `shapes`, in order, the parts of compounds in place of these."""
-    return [part for shape in shapes for part in (shape.shapes if isinstance(shape, Compound) else (shape,))]
+def parts(shapes: Iterable[Shape | Compound | Group]) -> list[Shape]:
+    """The single shapes among `shapes`, in order, the parts of compounds and groups in place of these."""
+    return [part for shape in shapes for part in (shape.shapes if isinstance(shape, Compound | Group) else (shape,))]
 
 
 def shapes_of(scene: Scene) -> list[Shape]:
@@ -45,9 +46,9 @@ def put(shape: Shape, x: float, y: float, orientation: float) -> None:
 
 
 def name_of(shape: Shape) -> str | None:
-    """The name of `shape`, or that of the compound that it is a part of, or None."""
-    if shape.name is None and shape.compound is not None:
-        return shape.compound.name
+    """The name of `shape`, or that of the compound or group that it is a part of, or None."""
+    if shape.name is None and shape._whole is not None:
+        return shape._whole.name
     return shape.name
 
 

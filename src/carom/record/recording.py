@@ -46,8 +46,8 @@ class Recording(Played):
         positions: (n, m, 2) their centres; NaN where a ball is not there.
         velocities: (n, m, 2) likewise.
         asleep: (n, m) whether they sleep.
-        shape_ids: (s,) the ids of the single shapes of frame 0, the parts of compounds in place of these, in the order
-            of the scene; shapes that are added later are not recorded.
+        shape_ids: (s,) the ids of the single shapes of frame 0, the parts of compounds and groups in place of these, in
+            the order of the scene; shapes that are added later are not recorded.
         colliding: (n, s) `can_collide` of each, False too once it has left the world.
         moving: (k,) the ids of those that were kinematic at frame 0.
         poses: (n, k, 3) their pivots, x and y, and orientations.

@@ -14,6 +14,8 @@ class IndexRow(TypedDict):
 
     left: f8
     bottom: f8
+    right: f8
+    top: f8
     side: f8  # of a grid's cell
     reach: f8  # the largest radius of a ball that it serves
     longest: i8  # members of the fullest cell
@@ -36,7 +38,7 @@ class CellRow(TypedDict):
     child: i4
     begin: i4
     end: i4
-    depth: i4
+    depth: i4  # in a quadtree; of a grid's cell, members that are to come
 
 
 CELL = dtype_of(CellRow)

@@ -55,6 +55,7 @@ class ShapeRow(TypedDict):
     layer: u4
     collides_with: u4
     id: i8
+    drops_with: i8  # the next id in the ring of those that switch themselves off together; 0: it does so alone
     elasticity: f8
     kick: f8
     # geometry as it is now

@@ -84,7 +84,8 @@ class StateRow(TypedDict):
     # counts of rows in use
     balls: i8
     shapes: i8
-    fixed: i8  # of the shapes in `order`, how many are static; the kinematic ones follow
+    dropped: i8  # of the shapes in `order`, how many are gone, and stand first
+    fixed: i8  # how many of them are gone or static; the kinematic ones follow
     hits: i8
     relations: i8  # in use
     relations_high: i8  # rows of the pool ever used; those above are free
@@ -92,6 +93,8 @@ class StateRow(TypedDict):
     wake: i4  # something was changed from outside
     index_stale: i8  # the index of all shapes must be made anew
     moving_stale: i8  # that of the kinematic shapes must
+    taken: i8  # static shapes that are to be taken out of the index, and
+    put: i8  # those that are to be put in: `order` names them behind all others, see `patch_index`
     reach: f8  # the largest radius that the index is to serve
     # the place of the step
     dt: f8

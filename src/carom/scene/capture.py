@@ -11,11 +11,13 @@ from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.shape_descriptors import (
     PART_IS_SILENT_ON,
     CompoundDescriptor,
+    GroupDescriptor,
     MovingDescriptor,
     Part,
 )
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
@@ -26,16 +28,18 @@ _DESCRIPTORS: dict[str, type[Part]] = {one.model_fields["kind"].default: one for
 
 
 def described(thing: Any) -> Any:
-    """The descriptor of a shape, compound or ball as it stands now; anything else as it is."""
+    """The descriptor of a shape, compound, group or ball as it stands now; anything else as it is."""
     if isinstance(thing, Ball):
         return BallDescriptor(**_fields(thing, BallDescriptor.model_fields))
     if isinstance(thing, Compound):
         return _described_compound(thing)
+    if isinstance(thing, Group):
+        return _described_group(thing)
     return _described_shape(thing) if isinstance(thing, Shape) else thing
 
 
 def described_all(things: Any) -> Any:
-    """A list or tuple with the descriptors of the shapes, compounds and balls in it; anything else as it is."""
+    """A list or tuple with the descriptors of the shapes, compounds, groups and balls in it; anything else as it is."""
     return tuple(described(thing) for thing in things) if isinstance(things, (list, tuple)) else things
 
 
@@ -61,6 +65,13 @@ def _described_compound(compound: Compound) -> CompoundDescriptor:
     names = ("name", "pivot", *MovingDescriptor.model_fields)
     parts = tuple(_described_part(part) for part in compound.shapes)
     return CompoundDescriptor(shapes=parts, **_fields(compound, names))
+
+
+def _described_group(group: Group) -> GroupDescriptor:
+    """The descriptor of a group with all of its parts, each with its own surface, and whether they drop together."""
+    parts = tuple(_described_shape(part) for part in group.shapes)
+    together = group.once and all(part.once for part in group.shapes)
+    return GroupDescriptor(shapes=parts, name=group.name, once=True if together else None)
 
 
 def _unturned(shape: Shape) -> Shape:

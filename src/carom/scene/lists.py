@@ -14,10 +14,11 @@ from carom.limits import MOST_NAMES
 from carom.scene.capture import described_all
 from carom.scene.descriptors import BallDescriptor
 from carom.scene.faults import Faults, path_of
-from carom.scene.shape_descriptors import CompoundDescriptor, Part, PartList
+from carom.scene.shape_descriptors import CompoundDescriptor, GroupDescriptor, Part, PartList
 
 ShapeList = Annotated[
-    tuple[Annotated[Part | CompoundDescriptor, Field(discriminator="kind")], ...], BeforeValidator(described_all)
+    tuple[Annotated[Part | CompoundDescriptor | GroupDescriptor, Field(discriminator="kind")], ...],
+    BeforeValidator(described_all),
 ]
 BallList = Annotated[tuple[BallDescriptor, ...], BeforeValidator(described_all)]
 
@@ -69,9 +70,9 @@ def _unpacked(item: Any, path: Path, faults: Faults) -> Any:
     if not isinstance(item, dict):
         return item
     parts = item.get("shapes")
-    if isinstance(parts, (list, tuple)) and len(parts) > BLOCK and item.get("kind") == "compound":
+    if isinstance(parts, (list, tuple)) and len(parts) > BLOCK and item.get("kind") in {"compound", "group"}:
         found = Faults(faults.model)
-        made = _checked(_adapter("parts"), parts, (*path, "compound", "shapes"), found)
+        made = _checked(_adapter("parts"), parts, (*path, item["kind"], "shapes"), found)
         faults.join(found)
         item = item | {"shapes": () if found.count else made}
     wrong = crowd(item)

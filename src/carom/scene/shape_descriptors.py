@@ -1,4 +1,4 @@
-"""Descriptors of shapes and compounds, as pydantic models: what a scene file may say of them, and what it makes.
+"""Descriptors of shapes, compounds and groups, as pydantic models: what a scene file may say, and what it makes.
 
 What takes several fields to see (equal ends, a gate that points along itself) is left to the constructors: a descriptor
 makes its shape once when it is made, so that none exists that cannot be built.
@@ -7,7 +7,7 @@ makes its shape once when it is made, so that none exists that cannot be built.
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self, cast
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
@@ -20,12 +20,30 @@ from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.compound import Compound
 from carom.shapes.gate import Gate
+from carom.shapes.group import Group
 from carom.shapes.point import Point
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 
 
-class MovingDescriptor(Descriptor):
+class BuiltDescriptor(Descriptor):
+    """What shapes, compounds and groups share: that they can be built."""
+
+    @model_validator(mode="after")
+    def _can_be_built(self) -> Self:
+        """The descriptor itself, unless what it describes cannot be made."""
+        try:
+            self.build()
+        except InvalidArgument as error:
+            raise refused_below(error, type(self).model_fields) from None
+        return self
+
+    @abstractmethod
+    def build(self) -> Shape | Compound | Group:
+        """What is described, in no world."""
+
+
+class MovingDescriptor(BuiltDescriptor):
     """What shapes and compounds share: how they turn and travel."""
 
     orientation: float = 0.0
@@ -38,15 +56,6 @@ class MovingDescriptor(Descriptor):
     """Its stops: the least and the greatest orientation, in radians, with 0 between them."""
     velocity: Vector = (0.0, 0.0)
     """How fast its pivot, and it with that, travels, in length/s."""
-
-    @model_validator(mode="after")
-    def _can_be_built(self) -> Self:
-        """The descriptor itself, unless what it describes cannot be made."""
-        try:
-            self.build()
-        except InvalidArgument as error:
-            raise refused_below(error, type(self).model_fields) from None
-        return self
 
     def build(self) -> Shape | Compound:
         """What is described, in no world."""
@@ -154,14 +163,11 @@ PartList = Annotated[tuple[Part, ...], BeforeValidator(as_tuple)]
 PART_IS_SILENT_ON = (*MovingDescriptor.model_fields, "motion", "pivot")
 
 
-class CompoundDescriptor(MovingDescriptor):
-    """Shapes that turn and travel as one. What is set here of their surfaces is set on all of them."""
+class AssemblyDescriptor(Descriptor):
+    """What compounds and groups share: what is set here of their surfaces is set on all of their parts."""
 
-    kind: Literal["compound"] = "compound"
     name: Text | None = None
     """What it is called."""
-    pivot: Vector
-    """The place about which it turns."""
     elasticity: NonNegative | None = None
     """The elasticity of all parts."""
     kick: NonNegative | None = None
@@ -171,11 +177,19 @@ class CompoundDescriptor(MovingDescriptor):
     can_collide: bool | None = None
     """Whether the parts meet anything at all."""
     once: bool | None = None
-    """Whether each part switches itself off at its first bounce."""
+    """Whether each part switches itself off at its first bounce; of a group, all of it at the first bounce off any."""
     layer: Layers | None = None
     """The layers that all parts are on."""
     collides_with: Layers | None = None
     """The layers that all parts meet."""
+
+
+class CompoundDescriptor(AssemblyDescriptor, MovingDescriptor):
+    """Shapes that turn and travel as one."""
+
+    kind: Literal["compound"] = "compound"
+    pivot: Vector
+    """The place about which it turns."""
     shapes: PartList
     """Its parts, as they lie before it turns; how they move is the compound's to say."""
 
@@ -192,3 +206,27 @@ class CompoundDescriptor(MovingDescriptor):
     def unturned(self) -> Compound:
         """The compound before it turned, in no world."""
         return Compound(**self._arguments() | {"shapes": [part.unturned() for part in self.shapes]})
+
+
+class GroupDescriptor(AssemblyDescriptor, BuiltDescriptor):
+    """Static shapes that are one thing, such as a brick."""
+
+    kind: Literal["group"] = "group"
+    shapes: PartList
+    """Its parts."""
+
+    @field_validator("shapes")
+    @classmethod
+    def _parts_are_static(cls, parts: tuple[Part, ...]) -> tuple[Part, ...]:
+        """The parts, unless there are none or one of them moves."""
+        if not parts:
+            raise fault_below("", "must hold at least one shape")
+        for place, part in enumerate(parts):
+            if part.motion != "static":
+                raise fault_below(f"[{place}].motion", "must be static (a compound is what turns and travels)")
+        return parts
+
+    def build(self) -> Group:
+        """The group, in no world."""
+        options = {name: value for name, value in self if name not in {"kind", "shapes"}}
+        return Group([cast("Shape", part.build()) for part in self.shapes], **options)

@@ -106,7 +106,7 @@ class Ball(Round[BallRow]):
 
     def _with(self, name: str, value: object, **fields: Unpack[BallGeometry]) -> BallRow:
         """A copy of the row with some fields changed; raises where the ball leaves the range of numbers."""
-        row = self._row.copy()
+        row = self._table.copied(self)
         put_fields(row, fields)
         _check(row, name, value)
         return row

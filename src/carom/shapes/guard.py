@@ -17,6 +17,7 @@ from carom.rows.tables import Rows
 from carom.shapes.compound import Compound
 from carom.shapes.covering import Floats, Indices, Tolerances, covered_places
 from carom.shapes.gate import Gate
+from carom.shapes.group import Group
 from carom.shapes.point import Point
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
@@ -24,7 +25,7 @@ from carom.spelling import spelled
 
 @spelled
 def guard_points(
-    shapes: Iterable[Shape | Compound],
+    shapes: Iterable[Shape | Compound | Group],
     tolerance: float | None = None,
     angle_tolerance: float | None = None,
 ) -> list[Point]:
@@ -35,8 +36,8 @@ def guard_points(
     or at a point. A cusp gets its point.
 
     Args:
-        shapes: Shapes, and compounds for their parts. Gates, sensors and shapes whose `can_collide` is off neither need
-            points nor cover an end. Shapes that move differently are looked at apart, for they part.
+        shapes: Shapes, and compounds and groups for their parts. Gates, sensors and shapes whose `can_collide` is off
+            neither need points nor cover an end. Shapes that move differently are looked at apart, for they part.
         tolerance: A length. Ends this near to each other are in one place, and one this near to a shape lies on it.
             By default 1e-9 of the length of the shorter shape (`GUARD_TOLERANCE`) and the rounding of coordinates, so
             that shapes of any size are told apart. Ends that were rounded apart, as in a file, need more.
@@ -48,7 +49,7 @@ def guard_points(
         The points, each at the end of the first shape that ends there, with its surface and its motion as they are now.
 
     Raises:
-        InvalidArgument: For what is no shape or compound, and for a negative tolerance.
+        InvalidArgument: For what is no shape, compound or group, and for a negative tolerance.
 
     >>> from carom import Segment
     >>> [point.position for point in guard_points([Segment((0, 0), (4, 0)), Segment((4, 0), (9, 0))])]
@@ -63,20 +64,20 @@ def guard_points(
         return _guards(walls, gap, bend) if walls else []
 
 
-def _parts(shapes: Iterable[Shape | Compound]) -> list[Shape]:
-    """All shapes, those of compounds too; raises for anything else."""
+def _parts(shapes: Iterable[Shape | Compound | Group]) -> list[Shape]:
+    """All shapes, those of compounds and groups too; raises for anything else."""
     try:
         items = list(shapes)
     except TypeError:
         raise refuse("shapes", "must be a list of shapes", shapes) from None
     parts: list[Shape] = []
     for place, item in enumerate(items):
-        if isinstance(item, Compound):
+        if isinstance(item, Compound | Group):
             parts.extend(item.shapes)
         elif isinstance(item, Shape):
             parts.append(item)
         else:
-            raise refuse(f"shapes[{place}]", "must be a shape or a compound", item)
+            raise refuse(f"shapes[{place}]", "must be a shape, a compound or a group", item)
     return parts
 
 

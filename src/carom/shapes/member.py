@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from carom.shapes.detection import Contact
 
 
+_set = object.__setattr__
+
+
 class Member(Named, ABC, Generic[R]):
     """A shape or ball: a view of the row `_row`, which is the only place where its state is.
 
@@ -48,24 +51,23 @@ class Member(Named, ABC, Generic[R]):
 
     def _stand_alone(self, row: R) -> None:
         """Give the member a table of its own, with a copy of `row` in it."""
-        self._table = RowTable.of_one(self._DTYPE)
-        self._table.rows[0] = row
+        self._table = RowTable.of_row(row)
         self._index = 0
         self._id = None
         self._world = None
 
     # -- what a world calls ------------------------------------------------------------------------------------------
 
-    def _enter(self, world: Home, table: RowTable[R], index: int) -> None:
-        """Copy the row to `table.rows[index]`, all but the `id`, which the world has written there.
+    def _enter(self, world: Home, table: RowTable[R], index: int, member_id: int) -> None:
+        """Be a view of `table.rows[index]`, where the world has put a copy of the row and an id.
 
-        From here on the object is a view of that row, and `_change` calls `world._changed(self)`. The caller has made
-        sure that the member is in no world.
+        From here on `_change` calls `world._changed()`. The caller has made sure that the member is in no world.
         """
-        member_id = int(table.rows[index]["id"])
-        table.rows[index] = self._row
-        table.rows[index]["id"] = member_id
-        self._table, self._index, self._id, self._world = table, index, member_id, world
+        # Past the look at their names, for thousands may come at once.
+        _set(self, "_table", table)
+        _set(self, "_index", index)
+        _set(self, "_id", member_id)
+        _set(self, "_world", world)
 
     def _leave(self) -> None:
         """Copy the row back to a table of its own, so that the object keeps its last values.
@@ -92,14 +94,14 @@ class Member(Named, ABC, Generic[R]):
 
     def _lone_row(self) -> R:
         """A copy of the row as it would be outside of any world."""
-        row = self._row.copy()
+        row = self._table.copied(self)
         row["id"] = 0
         return row
 
     def _change(self) -> None:
         """Tell the world that the row was changed from outside."""
         if self._world is not None:
-            self._world._changed(self)
+            self._world._changed()
 
     def _write(self, row: R) -> None:
         """Make `row`, which was checked, the member's row, and tell the world."""

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isfinite
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypedDict, Unpack, cast
 
 import numpy as np
 
 from carom.checks import pair, refuse
 from carom.rows.pose import derive, pose, set_before, set_initial
-from carom.rows.shape import SHAPE, Motion, ShapeRow
+from carom.rows.shape import SHAPE, STATIC, Motion, ShapeRow
 from carom.shapes.member import Member
 from carom.shapes.on_rails import OnRails
 from carom.shapes.rails import (
     halt,
+    motion_value,
     send,
     write_motion,
 )
@@ -23,7 +24,9 @@ from carom.turns import changing
 from carom.typing import MotionName, Pair, Vector
 
 if TYPE_CHECKING:
+    from carom.shapes.assembly import Assembly
     from carom.shapes.compound import Compound
+    from carom.shapes.group import Group
 
 
 class Geometry(TypedDict, total=False):
@@ -46,29 +49,40 @@ class Geometry(TypedDict, total=False):
 class Mover(OnRails, Member[ShapeRow]):
     """A member whose pose follows from its initial geometry, an orientation and a pivot; the rails of every `Shape`."""
 
-    __slots__ = ("_compound",)
+    __slots__ = ("_whole",)
 
     _OWN: ClassVar[tuple[str, ...]] = (*Member._OWN, *__slots__)
     _DTYPE: ClassVar[np.dtype[Any]] = SHAPE
 
-    _compound: Compound | None
+    _whole: Assembly | None
 
     def _begin(self, row: ShapeRow, name: str | None, user: Any) -> None:
         super()._begin(row, name, user)
-        # The copy of a compound claims the copies of its parts, maybe before they have a state.
-        self._compound = getattr(self, "_compound", None)
+        # The copy of a whole claims the copies of its parts, maybe before they have a state.
+        self._whole = getattr(self, "_whole", None)
 
     @classmethod
     def _of_row(cls, world: Home, table: RowTable[ShapeRow], member_id: int, index: int = -1) -> Self:
         member = super()._of_row(world, table, member_id, index)
-        member._compound = None
+        member._whole = None
         return member
 
     def _rejoin(self, world: Home, table: RowTable[ShapeRow], member_id: int) -> None:
         super()._rejoin(world, table, member_id)
-        self._compound = getattr(self, "_compound", None)
+        self._whole = getattr(self, "_whole", None)
 
     # -- changes -----------------------------------------------------------------------------------------------------
+
+    def _lone_row(self) -> ShapeRow:
+        row = super()._lone_row()
+        row["drops_with"] = 0
+        return row
+
+    def _write(self, row: ShapeRow) -> None:
+        before = None if self._world is None else self._table.copied(self)
+        self._table.write(self, row)
+        if self._world is not None:
+            self._world._moved(self, before)
 
     def _check(self, row: ShapeRow, name: str, value: object) -> None:
         """Raise where the geometry of a row is no shape, with argument `name` and its `value` to blame."""
@@ -83,12 +97,12 @@ class Mover(OnRails, Member[ShapeRow]):
 
     def _refuse_part(self, name: str, value: object) -> None:
         """Raise where the shape is part of a compound, which alone says where its parts are."""
-        if self._compound is not None:
+        if self.compound is not None:
             raise refuse(name, "must be left to the compound that the shape is part of", value)
 
     def _still_row(self) -> ShapeRow:
         """A copy of the row, at rest where it is if `move_to` has sent it somewhere."""
-        row = self._row.copy()
+        row = self._table.copied(self)
         halt(row)
         return row
 
@@ -226,9 +240,19 @@ class Mover(OnRails, Member[ShapeRow]):
     @motion.setter
     @changing
     def motion(self, value: MotionName | Motion) -> None:
-        self._set_motion("motion", write_motion, value)
+        if self.group is not None and motion_value(value) != STATIC:
+            raise refuse("motion", "must stay 'static' for a part of a group", value)
+        self._refuse_part("motion", value)
+        row = self._table.copied(self)
+        write_motion(row, value)
+        self._write(row)
 
     @property
     def compound(self) -> Compound | None:
         """The compound that it is part of, or None."""
-        return self._compound
+        return cast("Compound", self._whole) if self._whole is not None and self._whole.kind == "compound" else None
+
+    @property
+    def group(self) -> Group | None:
+        """The group that it is part of, or None."""
+        return cast("Group", self._whole) if self._whole is not None and self._whole.kind == "group" else None

@@ -123,16 +123,19 @@ class OnRails(Named):
         row = self._carried[0]._row
         turn = target_orientation(row, orientation)
         pivot = target_pivot(row, x, y, turn)
-        rows = [shape._sent(shape._row.copy(), position, pivot, turn, duration) for shape in self._carried]
+        rows = [shape._sent(shape._table.copied(shape), position, pivot, turn, duration) for shape in self._carried]
         rows[0]["target_x"], rows[0]["target_y"] = x, y
         self._put_rows(rows)
 
     def _set_motion(self, name: str, write: Callable[[ShapeRow, Any], None], value: Any) -> None:
         """Have `write` check and write what was set of the motion; it refuses the first row before any has changed."""
         self._refuse_part(name, value)
-        for shape in self._carried:
+        shapes = self._carried
+        for shape in shapes:
             write(shape._row, value)
-            shape._change()
+        world = shapes[0]._world
+        if world is not None:
+            world._set_going()
 
     @property
     def angular_velocity(self) -> float:

@@ -26,8 +26,14 @@ class Home(Protocol):
 
     _turn: Turn
 
-    def _changed(self, member: Any) -> None:
-        """Called after a member's row was changed from outside, with the member."""
+    def _changed(self) -> None:
+        """Called after a member's row was changed from outside."""
+
+    def _set_going(self) -> None:
+        """Called instead where shapes were set to move otherwise, and are where they were."""
+
+    def _moved(self, shape: Any, before: Any) -> None:
+        """Called instead where that may say where and how a shape lies or moves, with the row that it had."""
 
 
 class RowTable(Generic[R]):
@@ -50,9 +56,11 @@ class RowTable(Generic[R]):
         self._width = rows.dtype.itemsize // 8
 
     @classmethod
-    def of_one(cls, dtype: np.dtype[Any]) -> Self:
-        """A table of one row, all zeros."""
-        return cls(np.zeros(1, dtype))
+    def of_row(cls, row: R) -> Self:
+        """A table of one row, a copy of another."""
+        rows: Any = row
+        # By bytes: NumPy copies structured rows field by field.
+        return cls(np.frombuffer(bytearray(rows.tobytes()), rows.dtype))
 
     def index(self, owner: Owner) -> int:
         """The index of `owner`'s row in `rows`."""
@@ -61,6 +69,14 @@ class RowTable(Generic[R]):
     def row(self, owner: Owner) -> R:
         """`owner`'s row, as a view that can be written to."""
         row: R = self.rows[self.index(owner)]
+        return row
+
+    def copied(self, owner: Owner) -> R:
+        """A copy of `owner`'s row."""
+        if self._seen is not self.rows:
+            self._look()
+        at = self.index(owner) * self._width
+        row: R = np.frombuffer(bytearray(self._whole[at : at + self._width]), self.rows.dtype)[0]
         return row
 
     def _look(self) -> None:

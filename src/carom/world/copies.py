@@ -11,7 +11,7 @@ from collections.abc import Container
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
-from carom.shapes.compound import Compound
+from carom.shapes.assembly import Assembly
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.world.departed import Departed
 from carom.world.hits import NO_ROWS, Hits
@@ -30,7 +30,7 @@ def state_of(world: World, own: Container[str]) -> dict[str, Any]:
     return {
         "snapshot": write_snapshot(world),
         "members": dict(world._objects),
-        "compounds": {key: shape for key, shape in world._added.items() if isinstance(shape, Compound)},
+        "wholes": {key: shape for key, shape in world._added.items() if isinstance(shape, Assembly)},
         "departed": world._departed,
         "left": world._left,
         "link": world._link,
@@ -42,7 +42,7 @@ def shallow(state: dict[str, Any]) -> dict[str, Any]:
     """A state whose objects are no longer those of the world that it is of; what users hung on them is."""
     return state | {
         "members": {key: copy(member) for key, member in state["members"].items()},
-        "compounds": {key: compound._like([]) for key, compound in state["compounds"].items()},
+        "wholes": {key: whole._like([]) for key, whole in state["wholes"].items()},
         "departed": Departed(),
         "link": Link(),
     }
@@ -53,7 +53,7 @@ def take_state(world: World, state: dict[str, Any]) -> None:
     for key, member in state["members"].items():
         member._rejoin(world, world._arrays.table_of(member), key)
     world._objects = dict(state["members"])
-    world._added = dict(state["compounds"])
+    world._added = dict(state["wholes"])
     read_snapshot(world, state["snapshot"])
     world._departed = state["departed"]
     world._left = state["left"]

@@ -12,6 +12,7 @@ from carom import checks
 from carom.rows.hit import EXIT
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.spelling import hint
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 #: What is taken for `until`.
-Until: TypeAlias = "int | str | Shape | Ball | Compound | Callable[[Hits], Any] | None"
+Until: TypeAlias = "int | str | Shape | Ball | Compound | Group | Callable[[Hits], Any] | None"
 
 #: The same in words, told where something else was given.
 UNTIL = "must be a number of hits, a shape or ball of this world or its name, a function, or None"
@@ -141,7 +142,7 @@ def _ending(world: World, until: Any) -> Ending:
     """The condition that `until` names."""
     if isinstance(until, str):
         return Met(_ids_called(world, until))
-    if isinstance(until, (Shape, Ball, Compound)):
+    if isinstance(until, (Shape, Ball, Compound, Group)):
         if until.world is not world:
             raise checks.refuse("until", "must be in this world", until)
         return Met(_ids_of(until))
@@ -152,9 +153,9 @@ def _ending(world: World, until: Any) -> Ending:
     raise checks.refuse("until", UNTIL, until)
 
 
-def _ids_of(member: Shape | Ball | Compound) -> list[int]:
+def _ids_of(member: Shape | Ball | Compound | Group) -> list[int]:
     """The ids of what a member is made of."""
-    parts = member.shapes if isinstance(member, Compound) else (member,)
+    parts = member.shapes if isinstance(member, Compound | Group) else (member,)
     return [part.id for part in parts if part.id is not None]
 
 

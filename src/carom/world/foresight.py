@@ -73,9 +73,7 @@ def copy_of(arrays: Arrays) -> Arrays:
     """The tables of a world, to go on with by themselves."""
     film = Arrays()
     film.states = np.array(arrays.states)
-    for table, source in ((film.balls, arrays.balls), (film.shapes, arrays.shapes)):
-        table.rows = source.rows.copy()
-        table.count = source.count
+    film.fill(arrays.balls.used, arrays.shapes.used)
     film.relations, film.flights = arrays.relations.copy(), arrays.flights.copy()
     film.queue = np.zeros(len(arrays.balls.rows), "i4")
     film.prepare()

@@ -15,11 +15,12 @@ from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import BALL_KIND, Motion
+from carom.rows.shape import BALL_KIND, KINEMATIC, STATIC, ShapeRow
 from carom.rows.state import STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
 from carom.turns import Turn, alone
@@ -37,15 +38,18 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 R = TypeVar("R")
-T = TypeVar("T", bound=Shape | Ball | Compound)
-T2 = TypeVar("T2", bound=Shape | Ball | Compound)
-T3 = TypeVar("T3", bound=Shape | Ball | Compound)
-T4 = TypeVar("T4", bound=Shape | Ball | Compound)
+T = TypeVar("T", bound=Shape | Ball | Compound | Group)
+T2 = TypeVar("T2", bound=Shape | Ball | Compound | Group)
+T3 = TypeVar("T3", bound=Shape | Ball | Compound | Group)
+T4 = TypeVar("T4", bound=Shape | Ball | Compound | Group)
 
 NO_BALLS: Rows = np.zeros(0, BALL)
 
 #: The word of a state, one of 32 bits, that says whether something was changed.
 WAKE = STATE.fields["wake"][1] // 4  # type: ignore[index]
+
+#: The word, one of 64 bits, that says whether the kinematic shapes have moved.
+MOVING_STALE = STATE.fields["moving_stale"][1] // 8  # type: ignore[index]
 
 
 class Members:
@@ -54,6 +58,7 @@ class Members:
     _arrays: Arrays
     _states: Table[StateRow]
     _halves: memoryview[int]
+    _words: memoryview[int]
     _search: Search | None
 
     @property
@@ -64,8 +69,8 @@ class Members:
     def _forget_objects(self) -> None:
         """Begin with no objects at all."""
         self._objects: dict[int, Shape | Ball] = {}
-        self._added: dict[int, Shape | Compound] = {}
-        self._listed: list[Shape | Compound] = []
+        self._added: dict[int, Shape | Compound | Group] = {}
+        self._listed: list[Shape | Compound | Group] = []
         self._departed = Departed()
         self._removed: list[Rows] = []
         self._left: Rows = NO_BALLS
@@ -115,13 +120,13 @@ class Members:
     def add(self, *shapes: T) -> tuple[T, ...]: ...
     @alone
     def add(self, *shapes: Any) -> Any:
-        """What was given, which is now in the world: shapes, compounds and balls, live views of their rows here.
+        """What was given, now in the world: shapes, compounds, groups and balls, from here on views of their rows here.
 
         One comes back as it is, several as a tuple, in the order in which they were given and have been added.
 
         Raises:
-            InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound that is
-                not, or stands there twice. None has been added then.
+            InvalidArgument: One of them is no shape or ball, or is in a world already, or is part of a compound or
+                group that is not, or stands there twice. None has been added then.
         """
         self._take_in(shapes)
         return shapes[0] if len(shapes) == 1 else shapes
@@ -129,38 +134,44 @@ class Members:
     def _take_in(self, shapes: Sequence[Any]) -> None:
         """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
-        for table, kind in ((self._arrays.balls, Ball), (self._arrays.shapes, Shape)):
-            table.reserve(table.count + sum(isinstance(member, kind) for each in members for member in each))
+        first = self._arrays.shape_table.count
+        self._enter([member for each in members for member in each])
         for shape, each in zip(shapes, members, strict=True):
-            for member in each:
-                self._enter(member)
-            if isinstance(shape, Compound) or (isinstance(shape, Shape) and shape.compound is None):
+            if isinstance(shape, Group):
+                shape._tie()
+            if isinstance(shape, Compound | Group) or (isinstance(shape, Shape) and shape._whole is None):
                 self._added[each[0].id or 0] = shape
                 self._listed.append(shape)
         if shapes:
+            self._arrays.note_come(first)
             self._rearrange()
 
     def _take_part(self, shape: Shape) -> None:
-        """Take in a shape that has become part of a compound which is here; it is listed no more, if it was."""
+        """Take in a shape that has become part of a whole which is here; it is listed no more, if it was."""
         if shape.world is None:
             self._take_in((shape,))
         elif self._added.pop(shape.id or 0, None) is not None:
             self._listed = []
+        if shape.group is not None:
+            shape.group._tie()
 
-    def _list(self) -> list[Shape | Compound]:
+    def _list(self) -> list[Shape | Compound | Group]:
         """What was added, in that order: a list that is made anew only after something was taken out."""
         if len(self._listed) != len(self._added):
             self._listed = list(self._added.values())
         return self._listed
 
-    def _enter(self, member: Shape | Ball) -> None:
-        """Give a member a row at the end of its table, where there is room for it."""
-        table = self._arrays.table_of(member)
-        index = table.count
-        table.rows[index]["id"] = self._next_ids(1)[0]
-        table.count += 1
-        member._enter(self, table, index)
-        self._objects[int(table.rows[index]["id"])] = member
+    def _enter(self, members: list[Shape | Ball]) -> None:
+        """Give members rows at the ends of their tables."""
+        ids: list[int] = self._next_ids(len(members)).tolist()
+        for table, of_balls in ((self._arrays.balls, True), (self._arrays.shape_table, False)):
+            come = [pair for pair in zip(ids, members, strict=True) if (pair[1]._KIND == BALL_KIND) is of_balls]
+            if come:
+                first = table.count
+                table.append([member._table.rows.tobytes() for _, member in come], [member_id for member_id, _ in come])
+                for index, (member_id, member) in enumerate(come, first):
+                    member._enter(self, table, index, member_id)  # type: ignore[arg-type]
+        self._objects.update(zip(ids, members, strict=True))
 
     def _next_ids(self, count: int) -> NDArray[np.int64]:
         """Ids that were never used."""
@@ -230,8 +241,8 @@ class Members:
         return rows["id"].copy()
 
     @alone
-    def remove(self, *shapes: Shape | Compound | Ball) -> None:
-        """Take shapes, compounds and balls out of the world; the objects keep their last values.
+    def remove(self, *shapes: Shape | Compound | Group | Ball) -> None:
+        """Take shapes, compounds, groups and balls out of the world; the objects keep their last values.
 
         A sensor that one of them was inside of, or that was inside of it, gives an `EXIT` at the beginning of the next
         step. Many are taken out at once as fast as one; what is given twice is taken out once. What has left since the
@@ -239,10 +250,12 @@ class Members:
         and `for hit in hits: world.remove(hit.ball)` is right.
 
         Raises:
-            InvalidArgument: One of them is not in this world, or is part of a compound. None has been taken out then.
+            InvalidArgument: One of them is not in this world, or is part of a compound or group. None has been taken
+                out then.
         """
         leavers = leaving(self, shapes)
-        gone = {table: self._none_of(table.count) for table in (self._arrays.balls, self._arrays.shapes)}
+        tables = (self._arrays.balls, self._arrays.shape_table)
+        gone = {table: self._none_of(table.count) for table in tables}
         for members in leavers:
             self._added.pop(members[0].id or 0, None)
             self._listed = []
@@ -250,7 +263,7 @@ class Members:
                 table = self._arrays.table_of(member)
                 gone[table][table.index(member)] = True
         if leavers:
-            self._remove(gone[self._arrays.balls], gone[self._arrays.shapes])
+            self._remove(*gone.values())
 
     @staticmethod
     def _none_of(count: int) -> NDArray[np.bool_]:
@@ -259,7 +272,7 @@ class Members:
 
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
         """Detach the objects of rows and take the rows out."""
-        for table, gone in ((self._arrays.balls, balls), (self._arrays.shapes, shapes)):
+        for table, gone in ((self._arrays.balls, balls), (self._arrays.shape_table, shapes)):
             for member_id in table.used["id"][gone]:
                 member = self._objects.pop(int(member_id), None)
                 if member is not None:
@@ -305,20 +318,31 @@ class Members:
 
     # -- changes -----------------------------------------------------------------------------------------------------
 
-    def _changed(self, member: Any) -> None:
-        """Take note that a member was changed from outside."""
+    def _changed(self) -> None:
+        """Take note that a member was changed from outside, but not where and how it lies or moves."""
         self._halves[WAKE] = 1
-        if member._KIND == BALL_KIND:
+
+    def _set_going(self) -> None:
+        """Take note that shapes were set to move otherwise, which are where they were."""
+        self._halves[WAKE] = 1
+        self._words[MOVING_STALE] = 1
+
+    def _moved(self, shape: Shape, before: ShapeRow) -> None:
+        """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
+        self._halves[WAKE] = 1
+        row, layout = shape._row, self._arrays.layout
+        if row["motion"] == before["motion"] == KINEMATIC:
+            self._words[MOVING_STALE] = 1
             return
-        moving = self._arrays.moving
-        if self._block is not None and member.motion == Motion.KINEMATIC and member._table.index(member) in moving:
-            self._states[0]["moving_stale"] = 1
+        if row["motion"] == before["motion"] == STATIC:
+            layout.note_moved(shape._table.index(shape), before)
         else:
-            self._rearrange()
+            layout.forget()
+        self._rearrange()
 
     def _changed_all(self) -> None:
         """Take note that a setting was changed, or that balls may have been."""
-        self._states[0]["wake"] = 1
+        self._arrays.layout.forget()
         self._rearrange()
 
     def _rearrange(self) -> None:

@@ -51,8 +51,8 @@ def _not_allowed(balls: Rows) -> InvalidArgument:
 def _overflowed(arrays: Arrays) -> str:
     """What was not finite any more when a step was undone, in words."""
     balls = arrays.balls.used[arrays.saved[: arrays.balls.count]["overflowed"] != 0]
-    kinematic = arrays.shapes.count - int(arrays.states[0]["fixed"])
-    copies = arrays.shapes.rows[arrays.shapes.count : arrays.shapes.count + kinematic]
+    count, fixed = arrays.shape_table.count, int(arrays.states[0]["fixed"])
+    copies = arrays.shape_table.rows[count : count + count - fixed]
     shapes = copies[copies["once"] != 0]
     names = [f"{kind} {_ids(rows)}" for kind, rows in (("balls", balls), ("shapes", shapes)) if len(rows)]
     return " and ".join(names) + " became infinite in the step"

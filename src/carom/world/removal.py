@@ -11,7 +11,7 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, Relation
 from carom.rows.tables import Numbered
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation, is_of_balls
-from carom.world.tables import Arrays
+from carom.world.tables import OF_BALLS, Arrays
 
 #: A relation outside of the pool: kind, row of the ball, row of the other, force on the ball along x and y.
 Relation = tuple[int, int, int, float, float]
@@ -47,18 +47,44 @@ def set_relations(arrays: Arrays, relations: list[Relation]) -> None:
 
 
 def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
-    """Take out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now."""
+    """Take out the rows that the masks name. Balls leave sensors, and sensors balls, with an `EXIT` now.
+
+    Those of shapes stay in their table for a while, see `Layout`.
+    """
+    kept = _ended(arrays, balls, shapes) if balls.any() or _is_met(arrays, shapes) else None
+    if balls.any():
+        _remove_balls(arrays, balls)
+    if kept is not None:
+        set_relations(arrays, kept)
+    if shapes.any():
+        arrays.bury(np.flatnonzero(shapes))
+
+
+def _is_met(arrays: Arrays, shapes: NDArray[np.bool_]) -> bool:
+    """Whether a ball may have a relation to one of the shapes that the mask names."""
+    state = arrays.states[0]
+    pool = arrays.relations[: int(state["relations_high"])]
+    others = pool["other"][~np.isin(pool["kind"], OF_BALLS)]
+    return bool(state["relations"] > 0 and shapes[others[others < len(shapes)]].any())
+
+
+def _ended(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> list[Relation]:
+    """The relations that stay when what the masks name goes, by the rows that balls have then."""
     kept: list[Relation] = []
     new_ball = np.cumsum(~balls) - 1
-    new_shape = np.cumsum(~shapes) - 1
     for kind, ball, other, force_x, force_y in relations_in_order(arrays):
-        others, gone = (arrays.balls.used, balls) if is_of_balls(kind) else (arrays.shapes.used, shapes)
+        others, gone = (arrays.balls.used, balls) if is_of_balls(kind) else (arrays.shape_table.used, shapes)
         if balls[ball] or gone[other]:
             if kind in (INSIDE_SHAPE, INSIDE_BALL):
                 _exit(arrays, arrays.balls.used[ball], others[other])
         else:
-            moved = new_ball if is_of_balls(kind) else new_shape
-            kept.append((kind, int(new_ball[ball]), int(moved[other]), force_x, force_y))
+            moved = int(new_ball[other]) if is_of_balls(kind) else other
+            kept.append((kind, int(new_ball[ball]), moved, force_x, force_y))
+    return kept
+
+
+def _remove_balls(arrays: Arrays, balls: NDArray[np.bool_]) -> None:
+    """Take out the rows of balls."""
     asleep = int(np.count_nonzero(arrays.balls.used["asleep"][balls]))
     arrays.states[0]["sleeping"] -= asleep
     if len(arrays.saved) >= len(balls):
@@ -68,8 +94,6 @@ def remove_rows(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.boo
         flying = arrays.flights[: len(balls)][~balls]
         arrays.flights[: len(flying)] = flying
     arrays.balls.drop(balls)
-    arrays.shapes.drop(shapes)
-    set_relations(arrays, kept)
 
 
 def _exit(arrays: Arrays, ball: BallRow, other: Numbered) -> None:

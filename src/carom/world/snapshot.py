@@ -1,8 +1,8 @@
 """A world's whole state as bytes, and back.
 
 A snapshot is a line that says what it is, a BLAKE2b hash of the rest, and the rest: arrays in NumPy's own file format,
-one after the other (names and compounds as JSON text, the state's row, balls, shapes, relations, pending hits). Nothing
-in it depends on the room that tables happen to have, so worlds in the same state give the same bytes.
+one after the other (names, compounds and groups as JSON text, the state's row, balls, shapes, relations, pending hits).
+Nothing in it depends on the room that tables happen to have, so worlds in the same state give the same bytes.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -21,8 +21,10 @@ from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE, STATE
 from carom.rows.tables import Rows
 from carom.shapes import SHAPE_CLASSES
+from carom.shapes.assembly import Assembly
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.world.departed import Departed
 from carom.world.removal import relations_in_order, set_relations
@@ -31,6 +33,8 @@ from carom.world.snapshot_check import DERIVED, Contents, check_contents
 if TYPE_CHECKING:
     from carom.world.tables import Arrays
     from carom.world.world import World
+
+W = TypeVar("W", Compound, Group)
 
 MAGIC = b"carom snapshot 2\n"
 HASH_SIZE = 16
@@ -98,18 +102,14 @@ def _courses(arrays: Arrays) -> Rows:
 
 
 def header_of(world: World) -> dict[str, Any]:
-    """Names and compounds."""
+    """Names, compounds and groups."""
     names = {str(key): member.name for key, member in list(world._objects.items()) if member.name is not None}
-    compounds = [
-        {
-            "parts": [part.id for part in (shape.center_point, *shape.shapes)],
-            "name": shape.name,
-            "surface": dict(shape._surface),
-        }
-        for shape in list(world._added.values())
-        if isinstance(shape, Compound)
-    ]
-    return {"names": names, "compounds": compounds}
+    wholes: dict[str, list[dict[str, Any]]] = {"compounds": [], "groups": []}
+    for shape in list(world._added.values()):
+        if isinstance(shape, Assembly):
+            parts = [part.id for part in shape._parts]
+            wholes[f"{shape.kind}s"].append({"parts": parts, "name": shape.name, "surface": dict(shape._surface)})
+    return {"names": names, **wholes}
 
 
 def read(snapshot: Any) -> Contents:
@@ -157,9 +157,7 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
 
 def fill(arrays: Arrays, contents: Contents) -> None:
     """Make tables what the contents say."""
-    for table, rows in ((arrays.balls, contents.balls), (arrays.shapes, contents.shapes)):
-        table.rows = rows.copy()
-        table.count = len(rows)
+    arrays.fill(contents.balls, contents.shapes)
     arrays.states[0] = contents.state[0]
     arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
     arrays.states[0]["hits"] = len(contents.hits)
@@ -178,7 +176,7 @@ def _keep_saved(arrays: Arrays, courses: Rows) -> None:
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:
-    """Make the shapes that are missing, and the compounds, and give all their names."""
+    """Make the shapes that are missing, the compounds and the groups, and give all their names."""
     for row in contents.shapes:
         key = int(row["id"])
         if key not in world._objects:
@@ -188,45 +186,49 @@ def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball])
         member._name = None
     for key, name in contents.header["names"].items():
         world.object(int(key))._name = name
-    compounds = _restore_compounds(world, contents)
-    _regroup(world, compounds, left)
-    centers = {compound.id: compound for compound in compounds}
+    wholes: list[Compound | Group] = [
+        *_restore_wholes(world, Compound, contents.header["compounds"]),
+        *_restore_wholes(world, Group, contents.header["groups"]),
+    ]
+    _regroup(world, wholes, left)
+    firsts = {whole.id: whole for whole in wholes}
     world._added, world._listed = {}, []
     for key in contents.shapes["id"].tolist():
         member = world._objects[key]
-        if key in centers:
-            world._added[key] = centers[key]
-        elif isinstance(member, Shape) and member.compound is None:
+        if key in firsts:
+            world._added[key] = firsts[key]
+        elif isinstance(member, Shape) and member._whole is None:
             world._added[key] = member
 
 
-def _restore_compounds(world: World, contents: Contents) -> list[Compound]:
-    """The compounds that the snapshot names: those of the world whose center point is kept, and new ones."""
-    known = {key: shape for key, shape in list(world._added.items()) if isinstance(shape, Compound)}
-    restored: list[Compound] = []
-    for entry in contents.header["compounds"]:
-        compound = known.get(entry["parts"][0])
-        if compound is None:
-            compound = Compound.__new__(Compound)
-            compound.user = None
+def _restore_wholes(world: World, kind: type[W], entries: list[dict[str, Any]]) -> list[W]:
+    """The compounds or groups of a snapshot: those of the world whose first part is kept, and new ones."""
+    known = {key: shape for key, shape in list(world._added.items()) if isinstance(shape, kind)}
+    restored: list[W] = []
+    for entry in entries:
+        whole = known.get(entry["parts"][0])
+        if whole is None:
+            whole = kind.__new__(kind)
+            whole.user = None
         parts = [world._objects[part] for part in entry["parts"]]
-        compound._parts = [part for part in parts if isinstance(part, Shape)]
-        compound._surface = dict(entry["surface"])
-        compound._name = entry["name"]
-        restored.append(compound)
+        whole._parts = [part for part in parts if isinstance(part, Shape)]
+        whole._surface = dict(entry["surface"])
+        whole._name = entry["name"]
+        restored.append(whole)
     return restored
 
 
-def _regroup(world: World, compounds: list[Compound], left: list[Shape | Ball]) -> None:
-    """Tell every shape which compound it is part of now, and take others out of the compounds they were in.
+def _regroup(world: World, wholes: list[Compound | Group], left: list[Shape | Ball]) -> None:
+    """Tell every shape which whole it is part of now, and take others out of the wholes they were in.
 
-    A shape that leaves the world stays in its compound, unless that stays in the world without it.
+    A shape that leaves the world stays in its whole, unless that stays in the world without it.
     """
-    part_of = {part.id: compound for compound in compounds for part in compound._parts}
-    abandoned = [shape for shape in left if isinstance(shape, Shape) and shape.compound in compounds]
+    part_of = {part.id: whole for whole in wholes for part in whole._parts}
+    kept = {id(whole) for whole in wholes}
+    abandoned = [shape for shape in left if isinstance(shape, Shape) and id(shape._whole) in kept]
     for member in (*list(world._objects.values()), *abandoned):
         if isinstance(member, Shape):
-            before, now = member.compound, part_of.get(member.id)
-            member._compound = now
-            if before is not None and before is not now and before not in compounds:
+            before, now = member._whole, part_of.get(member.id)
+            member._whole = now
+            if before is not None and before is not now and id(before) not in kept:
                 before._parts.remove(member)

@@ -38,7 +38,7 @@ DERIVED = tuple(name for name in STATE.names or () if name not in KEPT)
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a snapshot holds: names and compounds, and the tables of a world."""
+    """What a snapshot holds: names, compounds and groups, and the tables of a world."""
 
     header: dict[str, Any]
     state: Rows
@@ -190,32 +190,46 @@ def _check_courses(contents: Contents) -> None:
 
 
 def _check_header(contents: Contents) -> None:
-    """Raise where names or compounds are of what is not there."""
+    """Raise where names, compounds or groups are of what is not there."""
     header = contents.header
-    need(set(header) == {"names", "compounds"}, "another header")
+    need(set(header) == {"names", "compounds", "groups"}, "another header")
     shapes = {int(row["id"]): (int(row["kind"]), int(row["motion"])) for row in contents.shapes}
     known = {str(key) for key in (*shapes, *contents.balls["id"].tolist())}
     need(set(header["names"]) <= known, "names of nothing")
     need(all(isinstance(name, str) for name in header["names"].values()), "names that are no text")
     taken: list[int] = []
+    for kind, motion in (("compounds", KINEMATIC), ("groups", STATIC)):
+        for whole in header[kind]:
+            need(set(whole) == {"parts", "name", "surface"}, f"{kind} of another form")
+            parts = whole["parts"]
+            need(all(type(part) is int and part in shapes for part in parts), f"{kind} of unknown parts")
+            need(parts, f"{kind} without parts")
+            need(all(shapes[part][1] == motion for part in parts), f"{kind} whose parts do not move as they must")
+            need(whole["name"] is None or isinstance(whole["name"], str), "names that are no text")
+            _check_surface(whole["surface"])
+            taken += parts
     for compound in header["compounds"]:
-        need(set(compound) == {"parts", "name", "surface"}, "compounds of another form")
-        parts = compound["parts"]
-        need(all(type(part) is int and part in shapes for part in parts), "compounds of unknown parts")
-        need(parts and shapes[parts[0]][0] == POINT, "a compound without a center point")
-        need(all(shapes[part][1] == KINEMATIC for part in parts), "compounds that do not move")
-        need(compound["name"] is None or isinstance(compound["name"], str), "names that are no text")
-        _check_surface(compound["surface"])
-        taken += parts
-    need(len(set(taken)) == len(taken), "a shape in two compounds")
+        need(shapes[compound["parts"][0]][0] == POINT, "a compound without a center point")
+    need(len(set(taken)) == len(taken), "a shape in two compounds or groups")
+    _check_drops(contents.shapes, header["groups"])
 
 
 def _check_surface(surface: dict[str, Any]) -> None:
-    """Raise where what was set for all parts of a compound cannot be."""
+    """Raise where what was set for all parts of a compound or group cannot be."""
     probe = Compound([], (0.0, 0.0))
     try:
         for name, value in surface.items():
             setattr(probe, name, value)
     except (AttributeError, InvalidArgument) as error:
-        raise SnapshotError(f"snapshot has a compound with a bad surface: {error}") from None
-    need(probe._surface == surface, "a compound with a surface of another form")
+        raise SnapshotError(f"snapshot has a compound or group with a bad surface: {error}") from None
+    need(probe._surface == surface, "a compound or group with a surface of another form")
+
+
+def _check_drops(shapes: Rows, groups: list[dict[str, Any]]) -> None:
+    """Raise where shapes switch themselves off together that are not a group which does."""
+    expected = np.zeros(len(shapes), np.int64)
+    for group in groups:
+        if group["surface"].get("once"):
+            parts = np.array(group["parts"], np.int64)
+            expected[np.searchsorted(shapes["id"], parts)] = np.roll(parts, -1)
+    need((shapes["drops_with"] == expected).all(), "shapes that drop with others than those of their group")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,16 +15,21 @@ from carom.rows.flight import FLIGHT
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.island import BODY, ISLAND_CONTACT
-from carom.rows.relation import RELATION
+from carom.rows.relation import INSIDE_BALL, LYING, RELATION
 from carom.rows.saved import SAVED
-from carom.rows.shape import BALL_KIND, KINEMATIC, SHAPE, ShapeRow
+from carom.rows.shape import BALL_KIND, SHAPE, STATIC, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
+from carom.world.layout import Layout
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
     from carom.shapes.shape import Shape
+
+
+#: Relations of a ball to another ball, not to a shape.
+OF_BALLS = (INSIDE_BALL, LYING)
 
 
 class WorldTable(RowTable[R]):
@@ -64,6 +70,14 @@ class WorldTable(RowTable[R]):
         if capacity > len(self.rows):
             self.rows = grown(self.rows, max(capacity, 2 * self.count) if doubling else capacity, self.count)
 
+    def append(self, lone: list[bytes], ids: Sequence[int]) -> None:
+        """Add rows, which come as bytes, with other ids; these must be higher than those that are there."""
+        self.reserve(self.count + len(ids))
+        first, self.count = self.count, self.count + len(ids)
+        words = self.rows.view(np.uint64).reshape(len(self.rows), -1)
+        words[first : self.count] = np.frombuffer(b"".join(lone), np.uint64).reshape(len(ids), -1)
+        self.rows["id"][first : self.count] = ids
+
     def drop(self, gone: NDArray[np.bool_]) -> None:
         """Take out the rows where the mask `gone` is True; the others move up and keep their order."""
         if not gone.any():
@@ -89,9 +103,8 @@ class Arrays:
     def __init__(self) -> None:
         self.states: Table[StateRow] = np.zeros(2, STATE)
         self.balls = WorldTable[BallRow](BALL)
-        self.shapes = WorldTable[ShapeRow](SHAPE)
-        self.order = np.zeros(0, "i4")
-        self.moving: frozenset[int] = frozenset()
+        self.shape_table = WorldTable[ShapeRow](SHAPE)
+        self.layout = Layout()
         self.index = np.zeros(2, INDEX)
         self.cells = np.zeros(256, CELL)
         self.members = np.zeros(256, "i4")
@@ -106,16 +119,27 @@ class Arrays:
         self.queue = np.zeros(0, "i4")
         self.island = (np.zeros(0, BODY), np.zeros(0, ISLAND_CONTACT))
 
+    @property
+    def shapes(self) -> WorldTable[ShapeRow]:
+        """The table of the shapes without rows of those that are gone, which `shape_table` may have still."""
+        self.settle()
+        return self.shape_table
+
+    @property
+    def order(self) -> NDArray[np.int32]:
+        """The rows of the shapes in the order in which they are met."""
+        return self.layout.order
+
     def table_of(self, member: Shape | Ball) -> WorldTable[Any]:
         """The table that has the rows of what is like a member."""
-        return self.balls if member._KIND == BALL_KIND else self.shapes
+        return self.balls if member._KIND == BALL_KIND else self.shape_table
 
     def block(self) -> Block:
         """The arguments of a step's kernel; that of the continuous mode has three more."""
         tables = (
             self.states,
             self.balls.rows,
-            self.shapes.rows,
+            self.shape_table.rows,
             self.order,
             self.index,
             self.cells,
@@ -139,17 +163,15 @@ class Arrays:
     def prepare(self) -> None:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
         state = self.states[0]
-        state["balls"], state["shapes"] = self.balls.count, self.shapes.count
+        state["balls"] = self.balls.count
         if not state["bounded"]:
             self.balls.used["stray"] = 0
-        rows = self.shapes.used
-        self.order = np.lexsort((rows["kind"], rows["motion"])).astype("i4")
-        kinematic = int(np.count_nonzero(rows["motion"] == KINEMATIC))
-        state["fixed"] = self.shapes.count - kinematic
-        state["index_stale"] = 1
-        self.moving = frozenset(self.order[self.shapes.count - kinematic :].tolist())
+        if not self.layout.is_known or self.layout.is_full(self.shape_table.count):
+            self.settle()
         # Behind the shapes a step keeps a copy of the kinematic ones, to go back to if it fails.
-        self.shapes.reserve(self.shapes.count + kinematic)
+        behind = self.layout.lay(self.shape_table.used, state)
+        self.shape_table.reserve(self.shape_table.count + behind)
+        self.layout.tell(self.shape_table.rows)
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
             self.slots = np.zeros(len(self.balls.rows), SLOT)
@@ -160,6 +182,53 @@ class Arrays:
             flights[:count] = self.flights[:count]
             self.flights = flights
             self.queue = np.zeros(len(self.balls.rows), "i4")
+
+    def fill(self, balls: Rows, shapes: Rows) -> None:
+        """Have copies of other rows in the tables."""
+        for table, rows in ((self.balls, balls), (self.shape_table, shapes)):
+            table.rows = rows.copy()
+            table.count = len(rows)
+        self.layout.clear()
+
+    def note_come(self, first: int) -> None:
+        """Take note of the shapes that have come in, from a row of their table on."""
+        come = self.shape_table.used[first:]
+        if len(come) and (come["motion"] == STATIC).all():
+            self.layout.note_come(range(first, self.shape_table.count))
+        elif len(come):
+            self.layout.forget()
+
+    def bury(self, rows: NDArray[np.intp]) -> None:
+        """Let the shapes in some rows be gone: no relation is to them."""
+        used = self.shape_table.used
+        still = self.layout.is_known and bool((used["motion"][rows] == STATIC).all())
+        for row in rows:
+            # Until its row is taken out it meets nothing.
+            used[row]["can_collide"] = used[row]["once"] = 0
+        self.layout.note_gone(rows.tolist())
+        if not still:
+            self.layout.forget()
+
+    def settle(self) -> None:
+        """Take rows of shapes that are gone out of the table; what names rows names the new ones."""
+        if not self.layout.gone:
+            return
+        gone = np.zeros(self.shape_table.count, np.bool_)
+        gone[self.layout.gone] = True
+        new = (np.cumsum(~gone) - 1).astype("i4")
+        state = self.states[0]
+        pool = self.relations[: int(state["relations_high"])]
+        of_shapes = ~np.isin(pool["kind"], OF_BALLS)
+        pool["other"][of_shapes] = np.take(new, pool["other"][of_shapes], mode="clip")
+        self.shape_table.drop(gone)
+        if self.layout.renumber(new) and state["taken"] + state["put"] == 0:
+            end = int(self.index[1]["members_end"])
+            self.members[:end] = np.take(new, self.members[:end], mode="clip")
+        else:
+            state["index_stale"], state["taken"], state["put"] = 1, 0, 0
+        state["shapes"], state["dropped"] = self.shape_table.count, 0
+        state["fixed"] = self.shape_table.count - len(self.layout.moving)
+        state["foreseen"] = 0
 
     def extend(self, status: int) -> None:
         """Make the room that a kernel asked for when it came back with `status`."""

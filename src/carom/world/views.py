@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import refuse
 from carom.rows.ball import BALL
 from carom.rows.state import DISCRETE
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
+from carom.spelling import hint
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -186,8 +189,12 @@ def _matters(world: World) -> bool:
     return bool(state["sleeping"] or state["detection"] != DISCRETE)
 
 
-class Shapes(Sequence["Shape | Compound"]):
-    """The shapes of a world in the order in which they were added; a compound is one of them, its parts are not."""
+class Shapes(Sequence["Shape | Compound | Group"]):
+    """The shapes of a world in the order in which they were added; a compound or group is one, its parts are not.
+
+    `world.shapes[3]` is by its place, `world.shapes["floor"]` the first one with that name; where nothing bears it,
+    that raises `InvalidArgument`.
+    """
 
     __slots__ = ("_world",)
 
@@ -198,19 +205,28 @@ class Shapes(Sequence["Shape | Compound"]):
         return len(self._world._added)
 
     @overload
-    def __getitem__(self, index: int) -> Shape | Compound: ...
+    def __getitem__(self, index: int | str) -> Shape | Compound | Group: ...
     @overload
-    def __getitem__(self, index: slice) -> list[Shape | Compound]: ...
-    def __getitem__(self, index: int | slice) -> Shape | Compound | list[Shape | Compound]:
-        return self._world._list()[index]
+    def __getitem__(self, index: slice) -> list[Shape | Compound | Group]: ...
+    def __getitem__(self, index: int | str | slice) -> Shape | Compound | Group | list[Shape | Compound | Group]:
+        return self._called(index) if isinstance(index, str) else self._world._list()[index]
 
-    def __iter__(self) -> Iterator[Shape | Compound]:
+    def _called(self, name: str) -> Shape | Compound | Group:
+        """The first one with a name; raises `InvalidArgument` where there is none."""
+        listed = self._world._list()
+        found = next((shape for shape in listed if shape.name == name), None)
+        if found is None:
+            said = hint(name, sorted({shape.name for shape in listed if shape.name is not None}))
+            raise refuse("name", f"must be that of a shape in the world{f' ({said})' if said else ''}", name)
+        return found
+
+    def __iter__(self) -> Iterator[Shape | Compound | Group]:
         return iter(self._world._list()[:])
 
     def __contains__(self, shape: object) -> bool:
-        if isinstance(shape, Compound):  # one has no parts where another world was restored over it
-            return bool(shape._parts) and shape.world is self._world
-        return isinstance(shape, Shape) and shape.world is self._world and shape.compound is None
+        if isinstance(shape, Compound | Group):
+            return shape.world is self._world
+        return isinstance(shape, Shape) and shape.world is self._world and shape._whole is None
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"

@@ -178,9 +178,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             dt: The length of a step; positive.
             progress: Called with the seconds done and the seconds in all, a few times a second. It may look at the
                 world, ask it and change it, which acts at once; to step it is refused.
-            until: Ends the run. A number: so many hits, of every kind and all balls together. A shape, compound or
-                ball, or a name: a ball has bounced off it or come into it. A function: called after every step with
-                the hits of that step, it returns whether the run is over; it may do what `progress` may.
+            until: Ends the run. A number: so many hits, of every kind and all balls together. A shape, compound,
+                group or ball, or a name: a ball has bounced off it or come into it. A function: called after every step
+                with the hits of that step, it returns whether the run is over; it may do what `progress` may.
             until_each: Ends the run when every ball in the world has had so many hits since it began. A hit of two
                 balls is one of each.
             keep: "all": every hit is returned. "counts": the hits are counted by what was hit, and no more is kept than
@@ -279,7 +279,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             rows = self._arrays.balls.used
             strays = rows["stray"] != 0
             self._removed.append(rows[strays].copy())
-            self._remove(strays, self._none_of(self._arrays.shapes.count))
+            self._remove(strays, self._none_of(self._arrays.shape_table.count))
             self._arrays.prepare()
         else:
             error = refusal(status, self._arrays)
@@ -291,7 +291,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """Undo the part of a step that was interrupted in the interpreter."""
         arrays = self._arrays
         tables = (
-            arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+            arrays.states, arrays.balls.rows, arrays.shape_table.rows, arrays.order, arrays.saved, arrays.relations
         )  # fmt: skip
         if arrays.states[0]["detection"] == DISCRETE:
             roll_back(*tables)

@@ -57,7 +57,7 @@ def digest_of(base: World, arrays: Arrays) -> str:
 
 
 def _header(base: World, arrays: Arrays) -> dict[str, Any]:
-    """Names and compounds of a world, without those of balls that are not there."""
+    """Names, compounds and groups of a world, without those of balls that are not there."""
     header = header_of(base)
     here = {*arrays.balls.used["id"].tolist(), *arrays.shapes.used["id"].tolist()}
     return {**header, "names": {key: name for key, name in header["names"].items() if int(key) in here}}
@@ -80,8 +80,9 @@ def _difference(first: Contents, second: Contents, common: Common) -> str:
             return f"{name} is"
     if not np.isin(second.balls["id"], common.ids).all():
         return "balls are"
-    if first.header["compounds"] != second.header["compounds"]:
-        return "compounds are"
+    for wholes in ("compounds", "groups"):
+        if first.header[wholes] != second.header[wholes]:
+            return f"{wholes} are"
     if len(first.shapes) != len(second.shapes):
         return "shapes are"
     still = np.ones(len(first.shapes), np.bool_)

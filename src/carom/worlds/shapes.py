@@ -1,16 +1,16 @@
-"""`worlds.shapes`: the shapes and compounds of all copies, whose motion is read and set for all at once."""
+"""`worlds.shapes`: the shapes, compounds and groups of all copies, read and set for all at once."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
-from carom.rows.shape import KIND_NAMES
 from carom.rows.tables import Rows
+from carom.shapes.assembly import Assembly
 from carom.shapes.compound import Compound
 from carom.shapes.shape import Shape
 from carom.spelling import hint
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class CopiesOfShapes:
-    """The shapes and compounds of the world that was copied, in the order in which they were added there."""
+    """The shapes, compounds and groups of the world that was copied, in the order in which they were added there."""
 
     __slots__ = ("_worlds",)
 
@@ -39,7 +39,7 @@ class CopiesOfShapes:
         return f"<{len(self)} shapes in each of {len(self._worlds)} worlds>"
 
     def __getitem__(self, key: int | str) -> CopiesOfShape:
-        """One of them by its index, or by a name that no other has; parts of compounds are found by name too.
+        """One of them by its index, or by a name that no other has; parts of others are found by name too.
 
         Raises:
             InvalidArgument: There is none, or there are several of that name.
@@ -48,7 +48,7 @@ class CopiesOfShapes:
         if not isinstance(key, str):
             index = checks.whole("index", key, -len(shapes), len(shapes) - 1)
             return CopiesOfShape(self._worlds, shapes[index])
-        parts = [part for shape in shapes if isinstance(shape, Compound) for part in shape.shapes]
+        parts = [part for shape in shapes if isinstance(shape, Assembly) for part in shape.shapes]
         named = [shape for shape in (*shapes, *parts) if shape.name is not None]
         found = [shape for shape in named if shape.name == key]
         if len(found) > 1:
@@ -60,7 +60,7 @@ class CopiesOfShapes:
 
 
 class CopiesOfShape:
-    """One shape or compound in all copies: what is read of it has the copies as its first axis.
+    """One shape, compound or group in all copies: what is read of it has the copies as its first axis.
 
     What is set is a number or pair for all, or one for each copy. As with a single world, all is checked before
     anything has changed.
@@ -68,11 +68,11 @@ class CopiesOfShape:
 
     __slots__ = ("_columns", "_rows", "_shape", "_worlds")
 
-    def __init__(self, worlds: Worlds, shape: Shape | Compound) -> None:
+    def __init__(self, worlds: Worlds, shape: Shape | Assembly) -> None:
         self._worlds = worlds
         self._shape = shape
         table = worlds._base._arrays.shapes
-        self._rows = np.array([table.index(part) for part in shape._carried])
+        self._rows = np.array([table.index(part) for part in parts_of(shape)])
         #: Where its rows are among those of the kinematic shapes; -1 where it is static.
         moving = worlds._common.moving
         places = np.searchsorted(moving, self._rows)
@@ -90,7 +90,7 @@ class CopiesOfShape:
     @property
     def kind(self) -> str:
         """What it is: "segment", "compound", ..."""
-        return self._shape.kind if isinstance(self._shape, Compound) else KIND_NAMES[self._shape._KIND]
+        return self._shape.kind
 
     @property
     def _first(self) -> Rows:
@@ -173,7 +173,7 @@ class CopiesOfShape:
         memory = self._worlds._common.memory
         scratch = self._worlds._scratch()
         table = scratch._arrays.shapes
-        shape: Any = scratch.object(self._shape._carried[0].id or 0)
+        shape: Any = scratch.object(parts_of(self._shape)[0].id or 0)
         shape = shape.compound if isinstance(self._shape, Compound) else shape
         rows = memory.moving[:, self._columns].copy()
         for copy, value in enumerate(values):
@@ -187,7 +187,7 @@ class CopiesOfShape:
 
     @property
     def can_collide(self) -> NDArray[np.bool_]:
-        """Whether it meets anything at all, of shape (copies,); of a compound, whether any part does. A copy."""
+        """Whether it meets anything at all, of shape (copies,); of a compound or group, whether any part does. A copy."""
         values = [self._switch_of(row, column) for row, column in self._parts()]
         return np.logical_or.reduce(values) if values else np.zeros(len(self._worlds), np.bool_)
 
@@ -239,17 +239,23 @@ class CopiesOfShape:
     def _counted(self, which: int) -> NDArray[np.int64]:
         """One of the counts. Those of a part are not known: they are counted for its compound."""
         common = self._worlds._common
-        if isinstance(self._shape, Shape) and self._shape.compound is not None:
-            raise checks.refuse("shape", "must be no part: what is met is counted for the compound", self._shape)
-        column = int(common.columns[self._shape._carried[-1].id or 0])
+        if isinstance(self._shape, Shape) and self._shape._whole is not None:
+            must = f"must be no part: what is met is counted for the {self._shape._whole.kind}"
+            raise checks.refuse("shape", must, self._shape)
+        column = int(common.columns[parts_of(self._shape)[0].id or 0])
         return common.counts[:, column, which].copy()
 
 
+def parts_of(shape: Shape | Assembly) -> Sequence[Shape]:
+    """The shapes that have rows of their own: all parts, or the shape itself."""
+    return shape._parts if isinstance(shape, Assembly) else [shape]
+
+
 def columns_of(world: World) -> NDArray[np.int64]:
-    """The number of shapes and compounds of a world, then by id which of them each shape is or is part of, or -1."""
+    """How many shapes, compounds and groups a world has, then by id which of them each shape is, or is part of, or -1."""
     columns = np.full(int(world._states[0]["next_id"]), -1, np.int64)
     for column, shape in enumerate(world.shapes):
-        for part in shape._carried:
+        for part in parts_of(shape):
             columns[part.id or 0] = column
     columns[0] = len(world.shapes)
     return columns

@@ -220,14 +220,14 @@ class Worlds(Spelled):
 
     @property
     def shapes(self) -> CopiesOfShapes:
-        """The shapes and compounds of all copies, by index or name."""
+        """The shapes, compounds and groups of all copies, by index or name."""
         return CopiesOfShapes(self)
 
     @property
     def counts(self) -> Rows:
         """Bounces and entries since the start or the last `reset`: fields of an array of shape (copies, shapes).
 
-        The shapes are those of `shapes`, in their order; a compound's are those of its parts. A copy.
+        The shapes are those of `shapes`, in their order; a compound's and a group's are those of its parts. A copy.
         """
         return self._common.counts.view(COUNTED)[..., 0].copy()
 

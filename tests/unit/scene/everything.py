@@ -22,6 +22,7 @@ def world_of_everything() -> carom.World:
     world.add(carom.Segment((-2, 1), (-1, 1), motion="kinematic", angular_velocity=0.5, turn_limits=(-1, 1)))
     world.add(carom.Arc((-5, 5), 1.0, 0.0, 2.0, motion="kinematic", pivot=(-4, 5), velocity=(0.5, 0.25)))
     world.add(flipper(angular_velocity=3.0, turn_limits=(0, 0.75), name="flipper"))
+    world.add(carom.Group([carom.Segment((6, -5), (7, -5), kick=1.0), carom.Point((7, -5))], once=True, name="brick"))
     world.add(carom.Ball((0.5, -3.0), 0.25, velocity=(1, 0), mass=2.0, name="cue"))
     world.add_balls([[-3.0, -3.0], [-3.0, -2.0]], radius=0.125)
     return world

@@ -9,4 +9,5 @@ SHAPES: dict[str, dict[str, Any]] = {
     "circle": {"kind": "circle", "center": [0, 0], "radius": 1},
     "arc": {"kind": "arc", "center": [0, 0], "radius": 1, "start_angle": 0, "end_angle": 1},
     "compound": {"kind": "compound", "pivot": [0, 0], "shapes": [{"kind": "point", "position": [1, 0]}]},
+    "group": {"kind": "group", "shapes": [{"kind": "point", "position": [1, 0]}]},
 }

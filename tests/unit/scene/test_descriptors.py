@@ -9,7 +9,7 @@ from pydantic import BaseModel
 import carom
 from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
-from carom.scene.shape_descriptors import PART_IS_SILENT_ON, CompoundDescriptor, ShapeDescriptor
+from carom.scene.shape_descriptors import PART_IS_SILENT_ON, CompoundDescriptor, GroupDescriptor, ShapeDescriptor
 from carom.world.settings import SETTINGS
 from tests.unit.scene.shortest import SHAPES
 
@@ -98,7 +98,7 @@ def faults(error: carom.SceneError) -> list[str]:
 def tables() -> list[tuple[type[BaseModel], str, dict[str, Any]]]:
     """Every descriptor with the place where it stands in a scene and the shortest table for it."""
     models = {model.model_fields["kind"].default: model for model in ShapeDescriptor.__subclasses__()}
-    models["compound"] = CompoundDescriptor
+    models |= {"compound": CompoundDescriptor, "group": GroupDescriptor}
     shapes = [(models[kind], "shapes[0]", table) for kind, table in SHAPES.items()]
     return [(carom.Scene, "", {}), (WorldDescriptor, "world", {}), (BallDescriptor, "balls[0]", BALL), *shapes]
 
@@ -127,7 +127,7 @@ def test_bad_values_are_refused_with_their_path(place: str, table: dict[str, Any
     assert carom.Scene(**scene_with(place, table))
     path = f"{place}.{field}".lstrip(".")
     motion = {"motion": "kinematic"} if field in (*PART_IS_SILENT_ON[:5], "pivot") and place == "shapes[0]" else {}
-    motion = {} if table.get("kind") == "compound" else motion
+    motion = {} if table.get("kind") in {"compound", "group"} else motion
     for value in BAD.get(path, BAD.get(field, [])):
         with pytest.raises(carom.SceneError, match=r"must|is missing") as caught:
             carom.Scene(**scene_with(place, table | motion | {field: value}))
@@ -168,9 +168,16 @@ def described_by(model: type[BaseModel]) -> dict[str, Any]:
     return {name: field.get_default() for name, field in model.model_fields.items() if name not in own}
 
 
-@pytest.mark.parametrize("model", [*ShapeDescriptor.__subclasses__(), BallDescriptor, CompoundDescriptor])
+@pytest.mark.parametrize(
+    "model", [*ShapeDescriptor.__subclasses__(), BallDescriptor, CompoundDescriptor, GroupDescriptor]
+)
 def test_fields_are_the_constructors_arguments(model: Any) -> None:
-    maker = {BallDescriptor: carom.Ball, CompoundDescriptor: carom.Compound}.get(model) or model.maker
+    makers: dict[Any, Any] = {
+        BallDescriptor: carom.Ball,
+        CompoundDescriptor: carom.Compound,
+        GroupDescriptor: carom.Group,
+    }
+    maker = makers.get(model) or model.maker
     arguments = {
         name: parameter.default for name, parameter in inspect.signature(maker).parameters.items() if name != "user"
     }

@@ -27,6 +27,16 @@ def test_a_compound_takes_its_guard_points_along() -> None:
     assert ends == [pytest.approx(edge.p0, abs=1e-15), pytest.approx(edge.p1, abs=1e-15)]
 
 
+def test_a_group_takes_its_guard_points_along() -> None:
+    brick = carom.Group([carom.Segment((1, 0), (3, 0)), carom.Segment((3, 0), (3, 1))], name="brick", elasticity=0.5)
+    world = carom.Scene(shapes=[brick], guard=True).build()
+    (guarded,) = world.shapes
+    assert [part.kind for part in guarded.shapes] == ["segment", "segment", "point", "point", "point"]
+    assert {part.elasticity for part in guarded.shapes} == {0.5}
+    world.remove(guarded)
+    assert world._arrays.shapes.count == 0
+
+
 def test_a_guarded_world_gives_a_scene_that_needs_no_guard() -> None:
     scene = carom.Scene(shapes=[flipper(), carom.Segment((0, 0), (4, 0))], guard=True)
     world = scene.build()

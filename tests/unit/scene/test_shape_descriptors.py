@@ -7,7 +7,7 @@ from carom.scene.shape_descriptors import PART_IS_SILENT_ON
 from tests.unit.scene.shortest import SHAPES
 
 
-@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind != "compound"])
+@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind not in {"compound", "group"}])
 def test_a_shape_is_built_as_described(kind: str) -> None:
     looks = {
         "name": "it",
@@ -50,7 +50,7 @@ def test_no_orientation_beyond_the_stops(orientation: float) -> None:
         carom.Scene(shapes=[table])
 
 
-@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind != "compound"])
+@pytest.mark.parametrize("kind", [kind for kind in SHAPES if kind not in {"compound", "group"}])
 def test_a_static_shape_is_not_turned(kind: str) -> None:
     with pytest.raises(carom.SceneError, match=r"shapes\[0\].*kinematic"):
         carom.Scene(shapes=[SHAPES[kind] | {"orientation": 1.0}])
@@ -77,3 +77,16 @@ def test_a_part_does_not_say_how_it_moves(field: str) -> None:
 def test_a_compound_holds_no_compounds() -> None:
     with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.shapes"):
         carom.Scene(shapes=[SHAPES["compound"] | {"shapes": [SHAPES["compound"]]}])
+
+
+def test_a_group_is_built_as_described_of_static_parts() -> None:
+    parts = [SHAPES["circle"], SHAPES["point"] | {"kick": 1.0}]
+    (group,) = carom.Scene(shapes=[SHAPES["group"] | {"shapes": parts, "name": "brick", "once": True}]).build().shapes
+    assert isinstance(group, carom.Group)
+    assert (group.name, group.once, [part.kick for part in group.shapes]) == ("brick", True, [0.0, 1.0])
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.shapes: must hold at least one shape"):
+        carom.Scene(shapes=[SHAPES["group"] | {"shapes": []}])
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.shapes\[1\]\.motion: must be static"):
+        carom.Scene(
+            shapes=[SHAPES["group"] | {"shapes": [SHAPES["circle"], SHAPES["point"] | {"motion": "kinematic"}]}]
+        )

@@ -8,6 +8,7 @@ THINGS = [
     carom.Segment((3, -1), (3, 1)),
     carom.Ball((5, 0), radius=2),
     carom.Compound([carom.Point((3, 0)), carom.Point((9, 9))], pivot=(7, 7)),
+    carom.Group([carom.Point((3, 0)), carom.Point((9, 9))]),
 ]
 
 

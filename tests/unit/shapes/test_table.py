@@ -16,11 +16,14 @@ class Owner:
         self._id: int | None = None
 
 
-def test_a_table_of_one_row_is_all_zeros() -> None:
-    for dtype in (BALL, SHAPE):
-        table = RowTable.of_one(dtype)
-        assert (len(table.rows), table.rows.dtype) == (1, dtype)
-        assert table.rows.tobytes() == bytes(dtype.itemsize)
+def test_copies_of_rows_are_equal_and_apart() -> None:
+    for thing in (Ball((1, 2), 3), Point((1, 2))):
+        table = RowTable(np.array([thing._row, thing._row]))
+        for row in (RowTable.of_row(thing._row).rows[0], table.copied(Owner(1))):
+            assert row.dtype == thing._row.dtype
+            assert row.tobytes() == thing._row.tobytes()
+            row["elasticity"] = 0.5
+        assert table.rows["elasticity"].tolist() == [1.0, 1.0]
 
 
 def test_a_row_is_a_view_and_writing_copies_into_it() -> None:

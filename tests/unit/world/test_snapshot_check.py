@@ -227,6 +227,13 @@ HEADER_FAULTS: list[Callable[[dict[str, Any]], Any]] = [
     lambda header: mill_of(header)["surface"].update(velocity=[1, 0]),
     lambda header: mill_of(header)["surface"].update(shade=3),
     lambda header: mill_of(header)["surface"].update(sensor=1),
+    lambda header: header.pop("groups"),
+    lambda header: header["groups"].append({"parts": mill_of(header)["parts"], "name": None, "surface": {}}),
+    lambda header: header["groups"].append({"parts": [], "name": None, "surface": {}}),
+    lambda header: header["groups"].append({"parts": [1, 1], "name": None, "surface": {}}),
+    lambda header: header["groups"].append({"parts": [1, 999], "name": None, "surface": {}}),
+    lambda header: header["groups"].append({"parts": [1], "name": None, "surface": {"once": True}}),
+    lambda header: header["groups"].append({"parts": [1], "name": None, "surface": {"shade": 1}}),
 ]
 
 

@@ -65,6 +65,7 @@ def one_of_each() -> list[Any]:
         carom.Circle((0, 0), 1, motion="kinematic"),
         carom.Arc((0, 0), 1, 0, 1, motion="kinematic"),
         carom.Compound([carom.Point((2, 2))], (0, 0)),
+        carom.Group([carom.Point((3, 2)), carom.Circle((4, 4), 1)]),
         carom.Ball((5, 5), 1),
     ]
 

@@ -234,3 +234,18 @@ def test_a_bad_size_that_was_written_is_refused_by_the_next_step(name: str, valu
     getattr(world.balls, name)[1] = 1.0
     world.step(0.1)
     assert world.time == 0.1
+
+
+def test_a_shape_is_found_by_its_name_the_first_that_bears_it() -> None:
+    world = carom.World()
+    first, second = world.add(carom.Point((0, 0), name="post"), carom.Point((1, 0), name="post"))
+    brick = world.add(carom.Group([carom.Point((2, 0), name="corner")], name="brick"))
+    assert (world.shapes["post"], world.shapes["brick"]) == (first, brick)
+    world.remove(first)
+    assert world.shapes["post"] is second
+    with pytest.raises(
+        carom.InvalidArgument, match=r"name must be that of a shape .* \(did you mean brick\?\), not 'brik'"
+    ):
+        world.shapes["brik"]
+    with pytest.raises(carom.InvalidArgument, match="name must be that of a shape in the world"):
+        world.shapes["corner"]

@@ -73,8 +73,8 @@ def shape_wishes(picture: Picture, shapes: Iterable[Drawn]) -> Iterator[tuple[st
 
 
 def shared_label(name: str, members: Iterable[Shape]) -> str:
-    """The words for all shapes of one name: it, and how many there are, the parts of a compound being one."""
-    count = len({id(shape if shape.compound is None else shape.compound) for shape in members})
+    """The words for all shapes of one name: it, and how many there are, the parts of a compound or group being one."""
+    count = len({id(shape.compound or shape.group or shape) for shape in members})
     return name if count == 1 else f"{name} \N{MULTIPLICATION SIGN} {count}"
 
 

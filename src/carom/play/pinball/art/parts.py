@@ -27,7 +27,7 @@ from carom.play.pinball.art.paint import (
     star,
 )
 
-AnyShape = carom.Shape | carom.Compound
+AnyShape = carom.Shape | carom.Compound | carom.Group
 
 STEEL: Colour = (196, 204, 222)
 DARK_STEEL: Colour = (74, 80, 108)

@@ -118,7 +118,7 @@ class Table:
     def _shapes(self) -> Iterator[tuple[str, carom.Shape]]:
         """Every shape with its name; of a compound's part, that of the compound."""
         for shape in self.world.shapes:
-            if isinstance(shape, carom.Compound):
+            if isinstance(shape, (carom.Compound, carom.Group)):
                 yield from ((shape.name or "", part) for part in shape.shapes)
             else:
                 yield shape.name or "", shape

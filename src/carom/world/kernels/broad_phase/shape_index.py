@@ -76,7 +76,7 @@ def build_index(
     False where room ran out; `state["wanted_*"]` says how much. The kinematic index stands behind the static one.
     """
     entry = index[which]
-    begin = 0 if which == FIXED else int(state["fixed"])
+    begin = int(state["dropped"] if which == FIXED else state["fixed"])
     end = int(state["fixed"]) if which == FIXED else int(state["shapes"])
     entry["reach"] = reach
     entry["cells_begin"] = 0 if which == FIXED else index[FIXED]["cells_end"]
@@ -96,6 +96,8 @@ def build_index(
     vast = side == inf
     entry["left"] = 0.0 if vast else left
     entry["bottom"] = 0.0 if vast else bottom
+    entry["right"] = right
+    entry["top"] = top
     entry["side"] = side
     entry["columns"] = 1
     entry["lines"] = 1
@@ -195,6 +197,7 @@ def build_grid(
     for cell in range(first, last):
         cells[cell]["child"] = NO_CHILD
         cells[cell]["end"] = 0
+        cells[cell]["depth"] = 0
     for k in range(begin, end):
         mark_cells(shapes[order[k]], order[k], entry, cells, members, False)
     total = int(entry["members_begin"])
@@ -217,19 +220,36 @@ def mark_cells(
     shape: ShapeRow, row: int, entry: IndexRow, cells: Table[CellRow], members: Table[int], write: bool
 ) -> None:
     """Count a shape in every cell that it comes within reach of, and write it there too if `write`."""
-    side = float(entry["side"])
-    reach = float(entry["reach"])
-    left, bottom = float(entry["left"]), float(entry["bottom"])
-    # Half a cell's diagonal from its middle to its corner; rounding far from the origin must not lose a shape.
-    near = (reach + side * sqrt(0.5)) * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
-    first_column = max(int((float(shape["left"]) - reach - left) / side) - 1, 0)
-    last_column = min(int((float(shape["right"]) + reach - left) / side) + 1, int(entry["columns"]) - 1)
-    first_line = max(int((float(shape["bottom"]) - reach - bottom) / side) - 1, 0)
-    last_line = min(int((float(shape["top"]) + reach - bottom) / side) + 1, int(entry["lines"]) - 1)
+    near = reach_of_cell(entry)
+    first_column, last_column, first_line, last_line = cells_around(shape, entry)
     for line in range(first_line, last_line + 1):
         for column in range(first_column, last_column + 1):
-            if distance_to_shape(shape, left + (column + 0.5) * side, bottom + (line + 0.5) * side) <= near:
+            if comes_near(shape, entry, column, line, near):
                 cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
                 if write:
                     members[cell["end"]] = row
                 cell["end"] += 1
+
+
+def reach_of_cell(entry: IndexRow) -> float:
+    """The distance from a cell's middle within which a shape is one of its members."""
+    # Half a cell's diagonal from its middle to its corner; rounding far from the origin must not lose a shape.
+    rounding = 4.0 * ROUNDING * (fabs(float(entry["left"])) + fabs(float(entry["bottom"])))
+    return (float(entry["reach"]) + float(entry["side"]) * sqrt(0.5)) * INDEX_MARGIN + rounding
+
+
+def cells_around(shape: ShapeRow, entry: IndexRow) -> tuple[int, int, int, int]:
+    """The first and last column, and the first and last line, of the cells that a shape may be a member of."""
+    side, reach = float(entry["side"]), float(entry["reach"])
+    left, bottom = float(entry["left"]), float(entry["bottom"])
+    first_column = max(int((float(shape["left"]) - reach - left) / side) - 1, 0)
+    last_column = min(int((float(shape["right"]) + reach - left) / side) + 1, int(entry["columns"]) - 1)
+    first_line = max(int((float(shape["bottom"]) - reach - bottom) / side) - 1, 0)
+    last_line = min(int((float(shape["top"]) + reach - bottom) / side) + 1, int(entry["lines"]) - 1)
+    return first_column, last_column, first_line, last_line
+
+
+def comes_near(shape: ShapeRow, entry: IndexRow, column: int, line: int, near: float) -> bool:
+    """True if a shape comes so near to the middle of a cell that it is one of its members."""
+    side, left, bottom = float(entry["side"]), float(entry["left"]), float(entry["bottom"])
+    return distance_to_shape(shape, left + (column + 0.5) * side, bottom + (line + 0.5) * side) <= near

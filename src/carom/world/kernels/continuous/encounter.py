@@ -146,7 +146,7 @@ def bounce(
             ball["vx"] = vx - s * nx
             ball["vy"] = vy - s * ny
         else:
-            rebound_off(state, ball, shape, time, hits, (px, py, nx, ny, max(-gap, 0.0)), (ux, uy), elasticity)
+            rebound_off(state, ball, shapes, row, time, hits, (px, py, nx, ny, max(-gap, 0.0)), (ux, uy), elasticity)
     u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
     if lasting > 0.0 and u <= slowest:
         ball["vx"] -= u * nx
@@ -166,7 +166,8 @@ def bounce(
 def rebound_off(
     state: StateRow,
     ball: BallRow,
-    shape: ShapeRow,
+    shapes: Table[ShapeRow],
+    row: int,
     time: float,
     hits: Table[HitRow],
     touch: tuple[float, float, float, float, float],
@@ -174,6 +175,7 @@ def rebound_off(
     elasticity: float,
 ) -> None:
     """Give a ball the velocity with which it leaves a shape whose surface moves so at the touch, and record the hit."""
+    shape = shapes[row]
     _px, _py, nx, ny, _setback = touch
     ux, uy = surface
     vx, vy = float(ball["vx"]), float(ball["vy"])
@@ -190,7 +192,7 @@ def rebound_off(
     speed, impulse = length(vx - ux, vy - uy), gain * float(ball["mass"])
     record_hit(state, hits[state["hits"]], float(state["now"]), ball, shape, touch, (vx, vy), speed, impulse)
     if shape["once"] != 0:
-        spend(state, shape)
+        spend(state, shapes, shape)
 
 
 def part_least(ball: BallRow, speed: float, nx: float, ny: float) -> None:

@@ -72,7 +72,7 @@ def begin_film_step(
         keep_seen(state, balls, flights)
         if is_changed(state, shapes, order) or (state["sleeping"] > 0 and is_any_changed(state, balls, flights)):
             state["wake"] = 1
-        if state["index_stale"] != 0:
+        if state["index_stale"] + state["taken"] + state["put"] > 0:
             state["foreseen"] = 0
     state["step_hits"] = state["hits"]
     state["step_number"] += 1

@@ -35,6 +35,7 @@ from carom.rows.state import (
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.kernels.broad_phase.patching import patch_index
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
 from carom.world.kernels.step.ending import finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_ball, move_shapes
@@ -139,6 +140,10 @@ def rebuild_index(
 ) -> bool:
     """True when the index of the shapes is right again; False where it has no room."""
     index, cells, members = shape_index
+    if state["index_stale"] == 0 and state["taken"] + state["put"] > 0:
+        state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else 1
+    state["taken"] = 0
+    state["put"] = 0
     if state["index_stale"] != 0:
         if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
             return False

@@ -184,7 +184,7 @@ def meet_shape(
         mark["touched"] |= CROWDED
     mark["touched"] |= BOTH_DUE | MET
     state["found"] += 1
-    bounce_off_shape(state, ball, shape, hits[state["hits"]], (px, py, nx, ny, setback), pressed)
+    bounce_off_shape(state, ball, shapes, shape_row, hits[state["hits"]], (px, py, nx, ny, setback), pressed)
     limit_speed(state, ball)
     return share > 0.0
 
@@ -232,11 +232,20 @@ def count_squeezed(state: StateRow, mark: SavedRow) -> None:
         state["squeezed"] += 1
 
 
-def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRow, touch: Touch, pressed: bool) -> None:
+def bounce_off_shape(
+    state: StateRow,
+    ball: BallRow,
+    shapes: Table[ShapeRow],
+    shape_row: int,
+    hit: HitRow,
+    touch: Touch,
+    pressed: bool,
+) -> None:
     """Turn a ball's velocity at a static or kinematic shape, if it approaches, and record the hit in the next free row.
 
     One that is `pressed` onto something has no room to bounce: it goes with the surface.
     """
+    shape = shapes[shape_row]
     px, py, nx, ny, setback = touch
     vx, vy = float(ball["vx"]), float(ball["vy"])
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, 0.0)
@@ -262,7 +271,7 @@ def bounce_off_shape(state: StateRow, ball: BallRow, shape: ShapeRow, hit: HitRo
     impulse = gain * float(ball["mass"])
     record_hit(state, hit, hit_time(state), ball, shape, touch, (vx, vy), length(wx, wy), impulse)
     if shape["once"] != 0:
-        spend(state, shape)
+        spend(state, shapes, shape)
         # What rested on it falls with the next step.
         state["wake"] = 1
 

@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from carom.rows.shape import ONCE, SHAPE, SPENT
-from carom.world.kernels.step.spending import keep_spent, spend, unspend
+from carom.world.kernels.step.spending import keep_spent, row_called, spend, unspend
 from tests.kernel_calls import ball_rows, state_row
 
 DETECTIONS = pytest.mark.parametrize("detection", ["discrete", "continuous"])
@@ -133,6 +133,29 @@ def test_a_snapshot_and_a_scene_keep_targets_that_stand_and_those_that_have_drop
         assert twin.digest() == world.digest()
 
 
+def test_a_ring_is_spent_together_but_for_those_that_are_off_or_are_not_to_drop() -> None:
+    shapes = np.zeros(6, SHAPE)
+    shapes["id"], shapes["drops_with"] = [2, 3, 5, 8, 13, 21], [0, 8, 3, 21, 0, 5]
+    shapes["can_collide"], shapes["once"] = [1, 1, 1, 0, 1, 1], [ONCE, ONCE, ONCE, ONCE, ONCE, 0]
+    state = state_row(ball_rows([(0.0, 0.0, 1.0)]), "grid", 1)
+    state["shapes"] = 6
+    before = shapes.copy()
+    spend(state, shapes, shapes[2])
+    assert shapes["can_collide"].tolist() == [1, 0, 0, 0, 1, 1]
+    assert (shapes["once"].tolist(), state["spent"]) == ([ONCE, SPENT, SPENT, ONCE, ONCE, 0], 2)
+    unspend(shapes, 6)
+    assert shapes.tobytes() == before.tobytes()
+
+
+def test_a_shape_is_found_by_its_id() -> None:
+    shapes = np.zeros(9, SHAPE)
+    shapes["id"][:7] = [2, 3, 5, 8, 13, 21, 34]
+    state = state_row(ball_rows([(0.0, 0.0, 1.0)]), "grid", 1)
+    for count in range(1, 8):
+        state["shapes"] = count
+        assert [row_called(state, shapes, int(wanted)) for wanted in shapes["id"][:count]] == list(range(count))
+
+
 def test_nothing_else_has_it() -> None:
     assert not carom.Point((0, 0)).once
     with pytest.raises(carom.InvalidArgument, match="once must be True or False"):
@@ -144,7 +167,7 @@ def test_spent_shapes_are_armed_again_at_the_end_of_a_step_and_stand_again_where
     shapes["can_collide"], shapes["once"] = 1, [0, ONCE, ONCE, 0]
     state = state_row(ball_rows([(0.0, 0.0, 1.0)]), "grid", 1)
     state["shapes"] = 4
-    spend(state, shapes[1])
+    spend(state, shapes, shapes[1])
     assert (shapes["once"].tolist(), shapes["can_collide"].tolist(), state["spent"]) == (
         [0, SPENT, 1, 0],
         [1, 0, 1, 1],

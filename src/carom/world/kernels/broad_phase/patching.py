@@ -1,0 +1,153 @@
+"""Changing the index of the static shapes where shapes have come, gone or moved, instead of making it anew.
+
+What comes of it has the same members in the same cells in the same order as an index that is made anew.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from carom.rows.index import CellRow, IndexRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import GRID, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import FIXED, cell_side, cells_around, comes_near, reach_of_cell
+
+
+def patch_index(
+    state: StateRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+) -> bool:
+    """True if the index of the static shapes is right again; False where it has to be made anew.
+
+    Behind all shapes `order` names first the `state["taken"]` shapes that are to be taken out, then as many rows with
+    the geometries by which they were put in, then the `state["put"]` shapes that are to be put in.
+    """
+    first = int(state["shapes"])
+    geometries = first + int(state["taken"])
+    begin = geometries + int(state["taken"])
+    end = begin + int(state["put"])
+    entry = index[FIXED]
+    if not is_laid_alike(state, shapes, order, entry, geometries, end):
+        return False
+    for k in range(state["taken"]):
+        take_out(shapes[order[geometries + k]], order[first + k], entry, cells, members)
+    more = 0
+    for k in range(begin, end):
+        more += announce(shapes[order[k]], entry, cells)
+    if more == 0:
+        return True
+    if entry["members_end"] + more > len(members):
+        return False
+    make_gaps(entry, cells, members, more)
+    for k in range(begin, end):
+        put_in(shapes, order[k], entry, cells, members)
+    # The kinematic index begins where the static one ends.
+    state["moving_stale"] = 1
+    return True
+
+
+def is_laid_alike(
+    state: StateRow, shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin: int, end: int
+) -> bool:
+    """True if a grid that is made anew has the cells of the one there is.
+
+    `order[begin:end]` are the geometries of what is taken out and of what is put in.
+    """
+    left, bottom = float(entry["left"]), float(entry["bottom"])
+    right, top, reach = float(entry["right"]), float(entry["top"]), float(entry["reach"])
+    if state["broad_phase"] != GRID or entry["cells_end"] == entry["cells_begin"] or entry["side"] == inf:
+        return False
+    count = int(state["fixed"] - state["dropped"])
+    if count == 0 or cell_side(right - left, top - bottom, count, reach) != entry["side"]:
+        return False
+    for k in range(begin, end):
+        shape = shapes[order[k]]
+        # What is taken out must not have been outermost, and what is put in must not become so.
+        inside = (
+            float(shape["left"]) - reach > left
+            and float(shape["bottom"]) - reach > bottom
+            and float(shape["right"]) + reach < right
+            and float(shape["top"]) + reach < top
+        )
+        if not inside:
+            return False
+    return True
+
+
+def take_out(
+    geometry: ShapeRow, row: int, entry: IndexRow, cells: Table[CellRow], members: Table[int]
+) -> None:  # fmt: skip
+    """Take the shape in `row` out of the cells that it was put into by a geometry."""
+    near = reach_of_cell(entry)
+    first_column, last_column, first_line, last_line = cells_around(geometry, entry)
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            if comes_near(geometry, entry, column, line, near):
+                cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
+                kept = int(cell["begin"])
+                for k in range(cell["begin"], cell["end"]):
+                    if members[k] != row:
+                        members[kept] = members[k]
+                        kept += 1
+                cell["end"] = kept
+
+
+def announce(shape: ShapeRow, entry: IndexRow, cells: Table[CellRow]) -> int:
+    """The number of cells that a shape is to be put into, each of which is told."""
+    near = reach_of_cell(entry)
+    first_column, last_column, first_line, last_line = cells_around(shape, entry)
+    count = 0
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            if comes_near(shape, entry, column, line, near):
+                cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]["depth"] += 1
+                count += 1
+    return count
+
+
+def make_gaps(entry: IndexRow, cells: Table[CellRow], members: Table[int], more: int) -> None:
+    """Move the members of the cells apart, so that behind those of each there is room for what it was told of."""
+    entry["members_end"] += more
+    cell = int(entry["cells_end"]) - 1
+    while more > 0:
+        # From the last cell to the first: each moves by what the cells before it are still to get.
+        more -= int(cells[cell]["depth"])
+        begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
+        if more > 0:
+            for k in range(end - 1, begin - 1, -1):
+                members[k + more] = members[k]
+            cells[cell]["begin"] = begin + more
+            cells[cell]["end"] = end + more
+        cell -= 1
+
+
+def put_in(
+    shapes: Table[ShapeRow], row: int, entry: IndexRow, cells: Table[CellRow], members: Table[int]
+) -> None:  # fmt: skip
+    """Put a shape into its cells, each of which has room, at its place in the order in which shapes are met."""
+    shape = shapes[row]
+    near = reach_of_cell(entry)
+    first_column, last_column, first_line, last_line = cells_around(shape, entry)
+    for line in range(first_line, last_line + 1):
+        for column in range(first_column, last_column + 1):
+            if comes_near(shape, entry, column, line, near):
+                cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
+                begin, k = int(cell["begin"]), int(cell["end"])
+                while k > begin and is_met_later(shapes, int(members[k - 1]), row):
+                    members[k] = members[k - 1]
+                    k -= 1
+                members[k] = row
+                cell["end"] += 1
+                cell["depth"] -= 1
+                entry["longest"] = max(entry["longest"], cell["end"] - begin)
+
+
+def is_met_later(shapes: Table[ShapeRow], row: int, other: int) -> bool:
+    """True if a ball meets the static shape in `row` after that in `other`."""
+    kind, other_kind = shapes[row]["kind"], shapes[other]["kind"]
+    return bool(kind > other_kind or (kind == other_kind and row > other))
