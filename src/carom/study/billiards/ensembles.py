@@ -24,9 +24,9 @@ Numbers = NDArray[np.int64]
 
 #: Orbits in one world: so few that their events stay in a processor's cache, so many that Python has little to do.
 BATCH = 500
-#: A run for so many hits goes on by this part of the time that was thought to be enough, then by ever more of it, so
-#: many times at most.
-FURTHER, MORE, MOST_RUNS = 0.03, 1.3, 60
+#: A run for so many hits first takes this part of the time that they need on average, then goes on by a smaller one,
+#: which grows, so many times at most. Between two parts the balls that have had enough are let go.
+FIRST, FURTHER, MORE, MOST_RUNS = 0.85, 0.08, 1.3, 60
 
 
 @dataclass
@@ -94,10 +94,10 @@ def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
 
     Raises `InvalidArgument` where a ball stops bouncing, on a wall that takes its speed.
     """
-    seconds = hits * batch.free_time
+    needed = hits * batch.free_time
+    seconds, further = FIRST * needed, max(FURTHER * needed, batch.free_time)
     columns: list[tuple[Numbers, Floats, Floats, Floats]] = []
     counts = np.zeros(batch.size, np.int64)
-    further = max(FURTHER * seconds, batch.free_time)
     for _ in range(MOST_RUNS):
         found = batch.run(seconds)
         numbers = batch.numbers(found)
@@ -105,6 +105,7 @@ def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
         columns.append((numbers, np.ascontiguousarray(found["time"]), *batch.boundary(found)))
         if counts.min() >= hits:
             break
+        batch.world.balls.can_collide[:] = counts < hits
         seconds, further = further, MORE * further
     else:
         raise refuse("scene", f"must let balls bounce; one has done so {counts.min()} times", batch.table.scene.name)

@@ -113,7 +113,7 @@ class Table:
     def world_of(self, starts: Starts) -> World:
         """A world of the table's walls and balls at given starts, as `ensemble` makes it."""
         world = self.scene.build()
-        world.detection = "continuous"
+        world.detection, world.bounds = "continuous", None
         radius = POINT * self.size
         world.add_balls(*starts, radius=radius, layer=BALL_LAYER, collides_with=OTHER_LAYERS)
         return world
