@@ -28,12 +28,22 @@ def world_of(*members: Member, **settings: Any) -> carom.World:
 continuous_world = partial(world_of, detection="continuous")
 
 
-#: Options of the shipped scenes whose number of balls can be chosen.
-SMALL: dict[str, dict[str, int]] = {"galton": {"rows": 3, "balls": 20}, "gas": {"balls": 20}}
+#: The shipped billiards: closed tables whose balls lose nothing and do not meet each other.
+BILLIARDS = (
+    *("annulus", "circle", "ellipse", "flower", "lemon", "lorentz", "mushroom", "rectangle", "sinai", "stadium"),
+    "wedge",
+)
+
+#: Options of the shipped scenes whose number of balls, or of walls, can be chosen.
+SMALL: dict[str, dict[str, Any]] = {
+    "ellipse": {"tolerance": 1e-3},
+    "galton": {"rows": 3, "balls": 20},
+    "gas": {"balls": 20},
+}
 
 
 def small_scene(name: str) -> carom.Scene:
-    """A shipped scene, with few balls where their number can be chosen."""
+    """A shipped scene, with few balls and walls where their number can be chosen."""
     scene: carom.Scene = getattr(carom.scenes, name)(**SMALL.get(name, {}))
     return scene
 

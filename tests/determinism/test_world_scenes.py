@@ -10,9 +10,9 @@ from tests.worlds import bits
 
 STEPS = 1000
 
-#: Balls where a scene has more. A heap takes the interpreter minutes: on the board there are fewer, and the steps, a
-#: sixtieth of a second elsewhere, are over when the balls are in their bins.
-MOST_BALLS = {"galton": 30, "gas": 100}
+#: Fewer balls where a scene has many, and walls. A heap takes the interpreter minutes: on the board there are fewer,
+#: and the steps, a sixtieth of a second elsewhere, are over when the balls are in their bins.
+FEWER = {"ellipse": {"tolerance": 1e-6}, "galton": {"balls": 30}, "gas": {"balls": 100}}
 DT = {"galton": 1 / 400}
 
 #: Scenes that take the interpreter half a minute and more.
@@ -28,9 +28,8 @@ for scene in sys.argv[1:]:
 
 
 def built(scene: str) -> carom.World:
-    """The world of a shipped scene, with fewer balls where there are many."""
-    make = getattr(carom.scenes, scene)
-    world: carom.World = (make(balls=MOST_BALLS[scene]) if scene in MOST_BALLS else make()).build()
+    """The world of a shipped scene, with fewer balls and walls where there are many."""
+    world: carom.World = getattr(carom.scenes, scene)(**FEWER.get(scene, {})).build()
     return world
 
 

@@ -13,14 +13,23 @@ from tests.pictures.compare import KEPT, check, differences, pixels, pygame
 
 #: How each shipped scene is made and for how many seconds it runs: short runs, for they are interpreted too.
 RUNS: dict[str, tuple[dict[str, Any], float]] = {
+    "annulus": ({}, 1.0),
+    "circle": ({}, 1.0),
+    "ellipse": ({"tolerance": 1e-3}, 1.0),
+    "flower": ({}, 1.0),
     "galton": ({"rows": 6, "balls": 10}, 0.7),
     "gas": ({"balls": 9}, 0.4),
+    "lemon": ({}, 1.0),
+    "lorentz": ({}, 0.5),
+    "mushroom": ({}, 1.0),
     "newtons_cradle": ({}, 0.8),
     "pinball": ({}, 0.9),
     "pool": ({}, 1.2),
+    "rectangle": ({}, 1.0),
     "sinai": ({}, 1.0),
     "stadium": ({}, 1.0),
     "toy": ({}, 1.6),
+    "wedge": ({}, 0.8),
 }
 #: The shown size of scenes, and of layers.
 SCENE_SIZE, LAYER_SIZE = (900, 640), 420

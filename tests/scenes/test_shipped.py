@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 from math import hypot
+from typing import Any
 
 import numpy as np
 import pytest
 
 import carom
 from carom import scenes
-from tests.worlds import energy
+from tests.worlds import BILLIARDS, energy
 
 DT = 1.0 / 60.0
 
@@ -16,19 +17,29 @@ DT = 1.0 / 60.0
 #: the continuous mode by rounding alone.
 SLACK, ROUNDING = 0.2, 1e-9
 ROOMS: dict[str, Callable[[float, float, float], bool]] = {
+    "annulus": lambda x, y, r: hypot(x, y) < 2.0 - r + ROUNDING and hypot(x - 0.6, y) > 0.8 + r - ROUNDING,
+    "circle": lambda x, y, r: hypot(x, y) < 2.0 - r + ROUNDING,
+    "ellipse": lambda x, y, r: hypot(x / 3.0, y / 2.0) < 1.0 - r / 3.0 + ROUNDING,
+    "flower": lambda x, y, r: hypot(x, y) < 2.2 - r + ROUNDING,
     "galton": lambda x, y, r: y > 0.0,
     "gas": lambda x, y, r: True,
+    "lemon": lambda x, y, r: hypot(abs(x) + 1.0, y) < 3.0 - r + ROUNDING,
+    "lorentz": lambda x, y, r: hypot(x, y) > 1.0 and hypot(x - 1.15, y - 1.15 * 3.0**0.5) > 1.0,
+    "mushroom": lambda x, y, r: hypot(x, max(y, 0.0)) < 2.0 - r + ROUNDING and (y > 0.0 or abs(x) < 0.8),
     "newtons_cradle": lambda x, y, r: abs(y) <= 1e-12,
     "pinball": lambda x, y, r: (0.0 < x < 20.0 and 0.0 < y <= 32.0) or hypot(x - 10.0, y - 32.0) < 10.0 - r + SLACK,
     "pool": lambda x, y, r: -6.0 < x < 260.0 and -10.0 < y < 137.0,
+    "rectangle": lambda x, y, r: abs(x) < 3.0 - r + ROUNDING and abs(y) < 2.0 - r + ROUNDING,
     "sinai": lambda x, y, r: max(abs(x), abs(y)) < 2.0 - r + ROUNDING and hypot(x, y) > 1.0 + r - ROUNDING,
     "stadium": lambda x, y, r: hypot(max(abs(x) - 2.0, 0.0), y) < 2.0 - r + ROUNDING,
     "toy": lambda x, y, r: 0.0 < x < 32.0 and 0.0 < y < 24.0 and (y < x + 13.0 or hypot(x - 5.0, y - 19.0) < 3.5),
+    "wedge": lambda x, y, r: abs(x) < y < 2.1,
 }
-FEW: dict[str, dict[str, int]] = {"galton": {"rows": 4, "balls": 15}, "gas": {"balls": 15}}
+COARSE = {"tolerance": 1e-6}
+FEW: dict[str, dict[str, Any]] = {"ellipse": COARSE, "galton": {"rows": 4, "balls": 15}, "gas": {"balls": 15}}
 #: Balls that rest on each other take the continuous mode long: enough of them to make heaps in the bins.
-SOME: dict[str, dict[str, int]] = {"galton": {"rows": 6, "balls": 40}, "gas": {"balls": 1000}}
-ELASTIC = ("gas", "newtons_cradle", "sinai", "stadium")
+SOME: dict[str, dict[str, Any]] = {"ellipse": COARSE, "galton": {"rows": 6, "balls": 40}, "gas": {"balls": 1000}}
+ELASTIC = ("gas", "newtons_cradle", *BILLIARDS)
 
 
 #: Heaps and crowds take seconds; every other scene is quick.
@@ -59,7 +70,7 @@ def run(world: carom.World, name: str, seconds: int) -> int:
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", SCENES)
 def test_ten_seconds(name: str) -> None:
-    world = scenes.by_name(name).build()
+    world = getattr(scenes, name)(**{"ellipse": COARSE}.get(name, {})).build()
     before = energy(world)
     assert run(world, name, 10) > 0
     assert world.time == pytest.approx(10.0)

@@ -1,9 +1,27 @@
-"""Studies: plots of what a recording holds, and sweeps of many runs.
+"""Studies: tables and what is measured in them, plots of what a recording holds, and sweeps of many runs.
 
 `plots` needs matplotlib, `pip install "carom[study]"`; `sweep` needs Dask and pyarrow, `pip install "carom[sweep]"`.
 """
 
 from carom.study import measures, plots
+from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
+from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.tables import Starts, Table, table
 from carom.study.sweeps import sweep
 
-__all__ = ["measures", "plots", "sweep"]
+__all__ = [
+    "BoundaryMap",
+    "Correlation",
+    "Escape",
+    "MeanFreePath",
+    "Starts",
+    "Table",
+    "boundary_map",
+    "correlation",
+    "escape",
+    "mean_free_path",
+    "measures",
+    "plots",
+    "sweep",
+    "table",
+]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from carom.checks import refuse
 from carom.constants import JOINT_GAP, TWO_PI
 from carom.rows.hit import EXIT
+from carom.rows.tables import Rows
 from carom.shapes.arc import Arc
 from carom.shapes.circle import Circle
 from carom.shapes.segment import Segment
@@ -41,7 +42,7 @@ class Boundary(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class _Piece:
+class Piece:
     """A shape of an outline, and whether the outline goes along it from its first end to the second."""
 
     shape: Segment | Arc | Circle
@@ -61,13 +62,24 @@ class _Piece:
 def boundary_of(hits: Hits, outline: Any) -> Boundary:
     """What `Hits.boundary` returns."""
     pieces = _pieces_of(hits._world, outline)
+    places, on = places_of(pieces, hits["shape"])
+    on &= hits["kind"] != EXIT
+    found = hits if on.all() else hits[on]
+    return Boundary(found, *coordinates(pieces, found.view(np.ndarray), places if on.all() else places[on]))
+
+
+def places_of(pieces: list[Piece], shapes: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    """Which piece each of some shapes is, by their ids, and whether it is one at all."""
     ids = np.array([piece.shape.id for piece in pieces])
     by_id = np.argsort(ids)
-    shapes = hits["shape"]
     places = by_id[np.minimum(np.searchsorted(ids[by_id], shapes), len(ids) - 1)]
-    on = (ids[places] == shapes) & (hits["kind"] != EXIT)
-    found = hits if on.all() else hits[on]
-    rows, places = found.view(np.ndarray), places if on.all() else places[on]
+    return places, ids[places] == shapes
+
+
+def coordinates(
+    pieces: list[Piece], rows: Rows, places: NDArray[np.intp]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How far along the pieces, one after the other, each hit is that is on the piece so given, and its sine."""
     lengths = np.array([piece.shape.length for piece in pieces])
     along, tangent_x, tangent_y = _along(pieces, lengths, rows["point"], places)
     forward = np.array([piece.forward for piece in pieces])
@@ -75,11 +87,11 @@ def boundary_of(hits: Hits, outline: Any) -> Boundary:
     begins = np.concatenate([[0.0], np.cumsum(lengths)[:-1]]) + np.where(forward, 0.0, lengths)
     ways = np.where(forward, 1.0, -1.0)[places]
     along = begins[places] + ways * along
-    return Boundary(found, along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y))
+    return along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y)
 
 
 def _along(
-    pieces: list[_Piece], lengths: NDArray[np.float64], points: NDArray[np.float64], places: NDArray[np.intp]
+    pieces: list[Piece], lengths: NDArray[np.float64], points: NDArray[np.float64], places: NDArray[np.intp]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """How far each point is along its piece from that one's first end, and the piece's unit tangent there, x and y."""
     x, y = np.ascontiguousarray(points[:, 0]), np.ascontiguousarray(points[:, 1])
@@ -115,7 +127,7 @@ def _parts_along(
     return np.asarray(np.clip(parts, -1.0, 1.0))
 
 
-def _pieces_of(world: World, outline: Any) -> list[_Piece]:
+def _pieces_of(world: World, outline: Any) -> list[Piece]:
     """The pieces of an outline, each the way that it is gone along; raises for shapes that do not join."""
     if isinstance(outline, (str, bytes)) or not isinstance(outline, Sequence) or len(outline) == 0:
         raise refuse("outline", "must be a list of shapes that join, in order", outline)
@@ -127,13 +139,13 @@ def _pieces_of(world: World, outline: Any) -> list[_Piece]:
         if isinstance(shape, Circle) and len(outline) > 1:
             raise refuse(f"outline[{place}]", "must be the only one, for a circle joins no other shape", shape)
     gap = JOINT_GAP * sum(shape.length for shape in outline)
-    pieces = [_Piece(outline[0], _goes_forward(outline, gap))]
+    pieces = [Piece(outline[0], _goes_forward(outline, gap))]
     for place, shape in enumerate(outline[1:], 1):
         here = pieces[-1].end
         forward = _is_near(here, _ends(shape)[0], gap)
         if not forward and not _is_near(here, _ends(shape)[1], gap):
             raise refuse(f"outline[{place}]", f"must begin or end where outline[{place - 1}] ends, at {here}", shape)
-        pieces.append(_Piece(shape, forward))
+        pieces.append(Piece(shape, forward))
     return pieces
 
 

@@ -6,7 +6,19 @@ from difflib import get_close_matches
 
 from carom.errors import SceneError
 from carom.scene.scene import Scene
-from carom.scene.shipped.billiards import sinai, stadium
+from carom.scene.shipped.billiards import (
+    annulus,
+    circle,
+    ellipse,
+    flower,
+    lemon,
+    lorentz,
+    mushroom,
+    rectangle,
+    sinai,
+    stadium,
+    wedge,
+)
 from carom.scene.shipped.cradle import newtons_cradle
 from carom.scene.shipped.galton_board import galton
 from carom.scene.shipped.gas_box import gas
@@ -15,7 +27,25 @@ from carom.scene.shipped.pool_table import pool
 from carom.scene.shipped.toy_table import toy
 
 #: The shipped scenes, and nothing else.
-__all__ = ["galton", "gas", "newtons_cradle", "pinball", "pool", "sinai", "stadium", "toy"]
+__all__ = [
+    "annulus",
+    "circle",
+    "ellipse",
+    "flower",
+    "galton",
+    "gas",
+    "lemon",
+    "lorentz",
+    "mushroom",
+    "newtons_cradle",
+    "pinball",
+    "pool",
+    "rectangle",
+    "sinai",
+    "stadium",
+    "toy",
+    "wedge",
+]
 
 
 def names() -> tuple[str, ...]:

@@ -1,0 +1,117 @@
+"""Ensembles: many orbits of one table, in worlds of a few hundred balls that do not meet, one world after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import pi
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import refuse
+from carom.rows.hit import BOUNCE
+from carom.rows.tables import Rows
+from carom.study.billiards.outline import Floats
+from carom.study.billiards.tables import Starts, Table
+from carom.world.boundary import Piece, coordinates, places_of
+
+if TYPE_CHECKING:
+    from carom.world import Hits, World
+
+Numbers = NDArray[np.int64]
+
+#: Orbits in one world: so few that their events stay in a processor's cache, so many that Python has little to do.
+BATCH = 500
+#: A run for so many hits first takes this part of the time that they need on average, then goes on by a smaller one,
+#: which grows, so many times at most. Between two parts the balls that have had enough are let go.
+FIRST, FURTHER, MORE, MOST_RUNS = 0.85, 0.08, 1.3, 60
+
+
+@dataclass
+class Batch:
+    """Some orbits of an ensemble: the table, a world of it with a ball for each, and the number of the first of them.
+
+    `free_time` is about how long a ball flies from wall to wall.
+    """
+
+    table: Table
+    world: World
+    first: int
+    free_time: float
+
+    def __post_init__(self) -> None:
+        shapes: Any = self.world.shapes
+        self._walls = [piece for loop in self.table.loops for piece in loop.pieces]
+        self._pieces = [Piece(shapes[wall.place], wall.forward) for wall in self._walls]
+        self._first_id = int(self.world.balls.id[0])
+        self.size = len(self.world.balls)
+
+    def run(self, seconds: float) -> Hits:
+        """The bounces of so many seconds, in order of time."""
+        hits = self.world.run(seconds, seconds)
+        bounces = hits["kind"] == BOUNCE
+        return hits if bounces.all() else hits[bounces]
+
+    def numbers(self, hits: Hits) -> Numbers:
+        """Whose each hit is: the number of the orbit in this batch."""
+        return np.asarray(hits["ball"]) - self._first_id
+
+    def boundary(self, hits: Hits) -> tuple[Floats, Floats]:
+        """Where along the table's outline hits are, loop after loop, and the sines of their angles of incidence."""
+        places, on = places_of(self._pieces, hits["shape"])
+        rows = hits.view(np.ndarray)
+        if on.all():
+            return coordinates(self._pieces, rows, places)
+        along, sine = np.empty(len(hits)), np.empty(len(hits))
+        along[on], sine[on] = coordinates(self._pieces, rows[on], places[on])
+        along[~on], sine[~on] = self._at_corners(rows[~on])
+        return along, sine
+
+    def _at_corners(self, hits: Rows) -> tuple[Floats, Floats]:
+        """The same for hits on the points of corners, whose tangent is square to the ball's way off."""
+        ends = np.array([wall.ends[0] for wall in self._walls])
+        begins = np.cumsum([0.0, *(wall.wall.length for wall in self._walls[:-1])])
+        away = hits["point"][:, None, :] - ends
+        nearest = np.argmin(np.sum(away * away, axis=-1), axis=1)
+        normal, velocity = hits["normal"], hits["velocity"]
+        across = normal[:, 1] * velocity[:, 0] - normal[:, 0] * velocity[:, 1]
+        outer = nearest < len(self.table.loops[0].pieces)
+        return begins[nearest], np.where(outer, across, -across) / np.sqrt(np.sum(velocity * velocity, axis=1))
+
+
+def batches(table: Table, starts: Starts, speed: float) -> Iterator[Batch]:
+    """Worlds that hold the orbits from `starts`, some hundreds each; `speed` is the greatest of a ball."""
+    free_time = pi * table.area / (table.perimeter * speed)
+    for first in range(0, len(starts.position), BATCH):
+        some = Starts(*(column[first : first + BATCH] for column in starts))
+        yield Batch(table, table.world_of(some), first, free_time)
+
+
+def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
+    """The times of the first `hits` bounces of each orbit, their arc lengths and sines, each of shape (orbits, hits).
+
+    Raises `InvalidArgument` where a ball stops bouncing, on a wall that takes its speed.
+    """
+    needed = hits * batch.free_time
+    seconds, further = FIRST * needed, max(FURTHER * needed, batch.free_time)
+    columns: list[tuple[Numbers, Floats, Floats, Floats]] = []
+    counts = np.zeros(batch.size, np.int64)
+    for _ in range(MOST_RUNS):
+        found = batch.run(seconds)
+        numbers = batch.numbers(found)
+        counts += np.bincount(numbers, minlength=batch.size)
+        columns.append((numbers, np.ascontiguousarray(found["time"]), *batch.boundary(found)))
+        if counts.min() >= hits:
+            break
+        batch.world.balls.can_collide[:] = counts < hits
+        seconds, further = further, MORE * further
+    else:
+        raise refuse("scene", f"must let balls bounce; one has done so {counts.min()} times", batch.table.scene.name)
+    numbers, *values = (np.concatenate(parts) for parts in zip(*columns, strict=True))
+    order = np.argsort(numbers, kind="stable")
+    begins = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    rows = order[begins[:, None] + np.arange(hits)]
+    time, along, sine = (value[rows] for value in values)
+    return time, along, sine
