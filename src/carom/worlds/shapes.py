@@ -187,7 +187,7 @@ class CopiesOfShape:
 
     @property
     def can_collide(self) -> NDArray[np.bool_]:
-        """Whether it meets anything at all, of shape (copies,); of a compound or group, whether any part does. A copy."""
+        """Whether it meets anything at all, of shape (copies,); of a compound or group, any part. A copy."""
         values = [self._switch_of(row, column) for row, column in self._parts()]
         return np.logical_or.reduce(values) if values else np.zeros(len(self._worlds), np.bool_)
 
@@ -252,7 +252,7 @@ def parts_of(shape: Shape | Assembly) -> Sequence[Shape]:
 
 
 def columns_of(world: World) -> NDArray[np.int64]:
-    """How many shapes, compounds and groups a world has, then by id which of them each shape is, or is part of, or -1."""
+    """How many shapes, compounds and groups a world has; then, by id, which of them a shape is or is part of, or -1."""
     columns = np.full(int(world._states[0]["next_id"]), -1, np.int64)
     for column, shape in enumerate(world.shapes):
         for part in parts_of(shape):
