@@ -233,8 +233,19 @@ SEPARATION_SLACK = 1e-9
 #: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.
 FLIGHT_SLICES = 64
 
-#: Static shapes up to this many are all tested against a ball's way in continuous mode, without an index.
+#: Static shapes, and kinematic ones, up to this many are all tested against a ball's way in continuous mode, without an
+#: index.
 FEW_SHAPES = 16
+
+#: For how long the index of kinematic shapes that travel holds in continuous mode: the time in which they go so many of
+#: their own widths and balls', on the whole. More, and it is made anew less often, and shapes are looked at from
+#: farther off.
+REGION_WAY = 4.0
+
+#: Times the mean width of the regions of all that moves, and widths of a cell: a shape whose region is wider is asked
+#: everywhere.
+REGION_WIDE = 8.0
+REGION_CELLS = 24.0
 
 #: Factor on a span's length within which a shape's stop counts as reached at its end. Above rounding (1e-16) by far;
 #: a shape that travels too goes this much too far in that span.

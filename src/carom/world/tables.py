@@ -147,7 +147,13 @@ class Arrays:
         kinematic = int(np.count_nonzero(rows["motion"] == KINEMATIC))
         state["fixed"] = self.shapes.count - kinematic
         state["index_stale"] = 1
-        self.moving = frozenset(self.order[self.shapes.count - kinematic :].tolist())
+        kinematics = self.order[self.shapes.count - kinematic :]
+        self.moving = frozenset(kinematics.tolist())
+        # Behind all of them the continuous mode lists those that move.
+        travels = (rows["velocity_x"] != 0.0) | (rows["velocity_y"] != 0.0)
+        movers = kinematics[((rows["spin"] != 0.0) | travels | (rows["time_left_before"] > 0.0))[kinematics]]
+        state["movers"] = len(movers)
+        self.order = np.concatenate([self.order, movers, np.zeros(kinematic - len(movers), "i4")], dtype="i4")
         # Behind the shapes a step keeps a copy of the kinematic ones, to go back to if it fails.
         self.shapes.reserve(self.shapes.count + kinematic)
         if len(self.saved) < self.balls.count:

@@ -66,11 +66,11 @@ def deal_with(
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
     from_x, from_y, age = float(ball["x"]), float(ball["y"]), age_now(state, flight)
-    arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+    arrive(state, balls, shapes, index, cells, members, flights, relations, i)
     second = partner if of_two else NO_BALL
     struck, changed = event == HIT_BALL, event == HIT_BALL or event == LEAVE or event == STOP
     if of_two:
-        arrive(state, balls, shapes, order, index, cells, members, flights, relations, partner)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, partner)
         low, high = min(i, partner), max(i, partner)
         if event == HIT_BALL:
             meet_balls(state, balls, shapes, index, cells, members, hits, relations, flights, low, high)
@@ -83,7 +83,7 @@ def deal_with(
     elif event == HIT_SHAPE:
         struck, changed = True, True
         impact_with_shape(
-            state, ball, flight, i, shapes, partner, order, index, cells, members, hits, relations
+            state, ball, flight, i, shapes, partner, index, cells, members, hits, relations
         )  # fmt: skip
     else:
         end_quietly(state, ball, flight, shapes, hits, relations, event, partner)
@@ -122,7 +122,7 @@ def fly_on_from(
         # An impact may have been foreseen with either of two; they are solved in the order of their rows.
         low, high = (i, second) if second == NO_BALL or i < second else (second, i)
         count = jolt(
-            state, balls, shapes, order, index, cells, members, flights, relations, island, low, high, struck
+            state, balls, shapes, index, cells, members, flights, relations, island, low, high, struck
         )  # fmt: skip
         for k in range(count):
             ball = row_of(bodies[k]["ball"])
@@ -231,7 +231,7 @@ def change_shapes(
     """Let the shapes that stop or arrive now do so; balls that they hold begin new flights."""
     for i in range(state["balls"]):
         if balls[i]["relation"] != NO_RELATION and is_held_by_mover(balls[i], shapes, relations):
-            arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+            arrive(state, balls, shapes, index, cells, members, flights, relations, i)
             if lies(relations, balls[i]):
                 hasten(state, balls, flights, relations, bodies, i)
     change_movers(state, shapes, order)

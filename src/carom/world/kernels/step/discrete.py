@@ -119,7 +119,7 @@ def begin_substep(
         if move_shapes(state, balls, shapes, order, substep_length(state)):
             state["moving_stale"] = 1
         state["stage_entered"] = 1
-        if not shapes_are_sound(state, shapes, order):
+        if not shapes_are_sound(shapes, order, int(state["fixed"]), int(state["shapes"])):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
     if not rebuild_index(state, balls, shapes, order, shape_index):
