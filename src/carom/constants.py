@@ -163,12 +163,13 @@ TURN_CROSSINGS = 16
 #: means fewer cells to look into, and more balls in each.
 BIN_SIDE = 2.002
 
-#: Fraction of its cell's width that a ball may be away from where it was filed; then it is filed anew. More means
-#: fewer filings, and more cells to look into.
-BIN_LEASH = 0.125
+#: Fraction of its cell's width that a ball may be outside of the cell under which it is filed; then it is filed anew.
+#: More means fewer filings of balls that go to and fro over a border; the radius and this are half a width together at
+#: most, so that balls which touch are in neighbouring cells.
+BIN_MARGIN = 0.25
 
-#: The radius and the leash of a level's largest ball, in widths of its cells: 1/4 at most, and BIN_LEASH.
-BIN_REACH = 0.375
+#: The radius of a level's largest ball and that margin, in widths of its cells.
+BIN_REACH = 0.5
 
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_BALLS = 6
@@ -232,6 +233,9 @@ SEPARATION_SLACK = 1e-9
 
 #: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.
 FLIGHT_SLICES = 64
+
+#: The same of a ball among many, which will rather meet another one before.
+CROWD_SLICES = 8
 
 #: Static shapes, and kinematic ones, up to this many are all tested against a ball's way in continuous mode, without an
 #: index.

@@ -34,7 +34,7 @@ from carom.world.kernels.continuous.island import hasten, is_solved, lies
 from carom.world.kernels.continuous.jolt import jolt
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import change_movers
-from carom.world.kernels.continuous.predict import predict
+from carom.world.kernels.continuous.predict import file_anew, is_filed_first, predict
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
@@ -60,6 +60,9 @@ def deal_with(
 ) -> None:
     """Deal with the next event, which is that of ball `i`, and foresee what comes next for the balls concerned."""
     ball, flight = balls[i], flights[i]
+    if is_filed_first(flight):
+        file_anew(state, balls, heads, flights, relations, queue, i)
+        return
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
     if event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"]):

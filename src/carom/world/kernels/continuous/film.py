@@ -190,14 +190,14 @@ def fly(
         i = row_of(queue[0]) if state["queued"] > 0 else -1
         change, change_low, _of_regions = next_change(state)
         next_is_shape = i < 0 or not is_before(
-            float(flights[i]["event_time"]), float(flights[i]["event_low"]), change, change_low
+            float(flights[i]["due_time"]), float(flights[i]["due_low"]), change, change_low
         )
         if next_is_shape:
             if is_before(horizon, horizon_low, change, change_low):
                 break
             go_to_change(state, balls, shapes, order, index, cells, members, flights, relations, island[0])
             return DONE
-        time, low = float(flights[i]["event_time"]), float(flights[i]["event_low"])
+        time, low = float(flights[i]["due_time"]), float(flights[i]["due_low"])
         if is_before(horizon, horizon_low, time, low):
             break
         # What was foreseen for a time that is past, by rounding, is now.

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import copysign, inf, sqrt
 
-from carom.constants import FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
+from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
 from carom.geometry.path import Path, place_on
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
@@ -106,7 +106,7 @@ def predict_on_way(
     _x, _y, begin_vx, begin_vy, gx, gy = path
     pull = sqrt(gx * gx + gy * gy)
     begin = age
-    for _ in range(FLIGHT_SLICES):
+    for _ in range(FLIGHT_SLICES if state["binned"] == 0 else CROWD_SLICES):
         x, y = place_on(path, begin)
         if not (left <= x <= right and bottom <= y <= top):
             begin = time_into_box(path, begin, left, bottom, right, top)
