@@ -17,7 +17,7 @@ from carom.world.kernels.continuous.surfaces import gap_to_shape
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
 from tests.islands import Floats
-from tests.kernel_calls import film_tables, in_flight
+from tests.kernel_calls import in_flight, near_tables
 
 #: How far apart may be what touches.
 NEAR = 1e-6
@@ -67,13 +67,13 @@ def heap(world: World) -> Arrays:
 
 def settled(arrays: Arrays, first: int = 0, second: int = NO_BALL, struck: bool = False) -> int:
     """The number of balls of an island that is solved now."""
-    tables = *film_tables(arrays), arrays.flights, arrays.relations, arrays.island
+    tables = *near_tables(arrays), arrays.flights, arrays.relations, arrays.island
     return settle(arrays.states[0], arrays.balls.rows, *tables, first, second, struck)
 
 
 def jolted(arrays: Arrays, first: int = 0, second: int = NO_BALL, struck: bool = False) -> int:
     """The number of balls that fly on otherwise after an event of these."""
-    tables = *film_tables(arrays), arrays.flights, arrays.relations, arrays.island
+    tables = *near_tables(arrays), arrays.flights, arrays.relations, arrays.island
     return jolt(arrays.states[0], arrays.balls.rows, *tables, first, second, struck)
 
 

@@ -13,7 +13,7 @@ from carom.rows.index import CELL, SLOT, ShapeIndex
 from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import SHAPE
-from carom.rows.state import BRUTE, DONE, GRID, NOTE, QUADTREE, STATE
+from carom.rows.state import BRUTE, DONE, GRID, NEEDS_PAIRS, NOTE, QUADTREE, STATE
 from carom.rows.tables import Rows
 from carom.world.kernels.broad_phase.grid import pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
@@ -21,6 +21,7 @@ from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_ind
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
 from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.predict import predict_all, predict_own
+from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.tables import Arrays
 
 Ball = tuple[float, float, float]
@@ -82,7 +83,7 @@ def prepare_index(world: World, reach: float) -> None:
             arrays.cells,
             arrays.members,
         ):
-            arrays.extend(2)
+            arrays.extend(NEEDS_PAIRS)
 
 
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
@@ -118,16 +119,28 @@ def in_flight(world: World, dt: float = 1.0) -> Arrays:
     arrays.island = np.zeros(len(balls), BODY), np.zeros(len(relations), ISLAND_CONTACT)
     tables = arrays.hits.view(HIT_ROW), relations, arrays.flights, arrays.island[0]
     assert take_up(state, balls, arrays.shapes.rows, order, *tables) == DONE
-    prepare_index(world, float(world.balls.radius.max(initial=0.0)))
+    prepare_regions(arrays)
     state["binned"] = state["queued"] = state["bin_levels"] = 0
     arrays.flights["place"] = NO_PLACE
     arrays.flights["row"] = np.arange(len(arrays.flights))
     return arrays
 
 
+def prepare_regions(arrays: Arrays) -> None:
+    """Make the index of a world's shapes as flights ask for it."""
+    state, balls, shapes = arrays.states[0], arrays.balls.rows, arrays.shapes.rows
+    while not rebuild_regions(state, balls, shapes, arrays.order, shape_index(arrays)):
+        arrays.extend(NEEDS_PAIRS)
+
+
 def film_tables(arrays: Arrays) -> tuple[Rows, ...]:
     """The shapes and how they are found, as most kernels of the film ask for them."""
     return arrays.shapes.rows, arrays.order, *shape_index(arrays)
+
+
+def near_tables(arrays: Arrays) -> tuple[Rows, ...]:
+    """The shapes and how those near a place are found, as kernels of the film ask for them that need no more."""
+    return arrays.shapes.rows, *shape_index(arrays)
 
 
 def look_at(arrays: Arrays, seconds: float) -> None:

@@ -41,21 +41,23 @@ def film_flights(sheet: Sheet) -> None:
     "film-cells",
     (-0.3, -0.3, 6.3, 4.3),
     85,
-    "A ball is looked for near its cell; before it leaves its leash, the dashed ring, it is filed anew.",
+    "A ball is looked for near its cell; where it leaves the dashed square, it is filed anew.",
 )
 def film_cells(sheet: Sheet) -> None:
-    """Cells, a ball where it was filed and where it has come, and the reach within which others are looked for."""
+    """Cells, a ball where it was filed and where it has come, and the square that it leaves next."""
     for column in range(7):
         sheet.line((column, 0.0), (column, 4.0), GREY, dashed=False, width=0.8)
     for line in range(5):
         sheet.line((0.0, line), (6.0, line), GREY, dashed=False, width=0.8)
     filed = (2.4, 1.7)
-    sheet.circle(filed, 0.5, GREEN)
-    now = plus(filed, (0.35, 0.2))
+    corners = [(1.75, 0.75), (3.25, 0.75), (3.25, 2.25), (1.75, 2.25)]
+    for k in range(4):
+        sheet.line(corners[k - 1], corners[k], GREEN)
+    now = plus(filed, (0.75, 0.4))
     sheet.ball(filed, 0.22, "ball-1", ghost=True)
     sheet.ball(now, 0.22, "ball-1")
     sheet.arrow(now, plus(now, (0.9, 0.5)), BLUE)
     sheet.dot(filed, GREEN)
-    sheet.label(filed, "filed here", pi, GREEN, 44)
+    sheet.label(filed, "filed here", pi, GREEN, 70)
     sheet.ball((4.3, 2.6), 0.25, "ball-4")
     sheet.ball((1.3, 3.4), 0.2, "ball-2")

@@ -168,12 +168,13 @@ TURN_CROSSINGS = 16
 #: means fewer cells to look into, and more balls in each.
 BIN_SIDE = 2.002
 
-#: Fraction of its cell's width that a ball may be away from where it was filed; then it is filed anew. More means
-#: fewer filings, and more cells to look into.
-BIN_LEASH = 0.125
+#: Fraction of its cell's width that a ball may be outside of the cell under which it is filed; then it is filed anew.
+#: More means fewer filings of balls that go to and fro over a border; the radius and this are half a width together at
+#: most, so that balls which touch are in neighbouring cells.
+BIN_MARGIN = 0.25
 
-#: The radius and the leash of a level's largest ball, in widths of its cells: 1/4 at most, and BIN_LEASH.
-BIN_REACH = 0.375
+#: The radius of a level's largest ball and that margin, in widths of its cells.
+BIN_REACH = 0.5
 
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_BALLS = 6
@@ -238,8 +239,22 @@ SEPARATION_SLACK = 1e-9
 #: Slices into which a flight's way is cut to find the shapes along it; a longer one is tested against all shapes.
 FLIGHT_SLICES = 64
 
-#: Static shapes up to this many are all tested against a ball's way in continuous mode, without an index.
+#: The same of a ball among many, which will rather meet another one before.
+CROWD_SLICES = 8
+
+#: Static shapes, and kinematic ones, up to this many are all tested against a ball's way in continuous mode, without an
+#: index.
 FEW_SHAPES = 16
+
+#: For how long the index of kinematic shapes that travel holds in continuous mode: the time in which they go so many of
+#: their own widths and balls', on the whole. More, and it is made anew less often, and shapes are looked at from
+#: farther off.
+REGION_WAY = 4.0
+
+#: Times the mean width of the regions of all that moves, and widths of a cell: a shape whose region is wider is asked
+#: everywhere.
+REGION_WIDE = 8.0
+REGION_CELLS = 24.0
 
 #: Factor on a span's length within which a shape's stop counts as reached at its end. Above rounding (1e-16) by far;
 #: a shape that travels too goes this much too far in that span.

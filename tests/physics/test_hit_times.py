@@ -67,7 +67,7 @@ def test_times_of_hits_lie_within_their_step_and_in_order(seed: int, detection: 
 
 @pytest.mark.compiled
 def test_a_ball_that_is_pushed_far_off_does_not_fly_back_in_time() -> None:
-    """Pushed farther than the leash of its cell, it was filed anew at a time that was past."""
+    """Pushed farther than the margin of its cell, it was filed anew at a time that was past."""
     for seed in (22, 45, 70, 89, 91):
         world = heap(Random(seed), "continuous")
         for _ in range(2):

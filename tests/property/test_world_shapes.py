@@ -50,7 +50,7 @@ def test_the_index_gives_every_shape_that_a_ball_overlaps_in_the_order_of_meetin
         world.add(shape_of(figure, motion="kinematic" if moving else "static"))
     prepare_index(world, radius)
     arrays = world._arrays
-    ranks = {int(row): rank for rank, row in enumerate(arrays.order)}
+    ranks = {int(row): rank for rank, row in enumerate(arrays.order[: arrays.shapes.count])}
     for k, angle, share in near:
         x, y = data.draw(strategies.places_on(figures[k % len(figures)][0]))
         x, y = x + share * radius * cos(angle), y + share * radius * sin(angle)

@@ -8,7 +8,7 @@ from carom.rows.tables import dtype_of, f8, i4, i8
 
 # What comes next in a ball's flight. Of events of one ball at one instant the greatest comes first.
 NOTHING = 0
-LOOK = 1  # it looks farther ahead, and is filed anew; its path stays what it is
+LOOK = 1  # it looks farther ahead; its path stays what it is
 TICK = 2  # it is put back onto the bent or moving shape along which it slides, or its island is solved
 STOP = 3  # friction has taken its speed
 SLEEP = 4
@@ -68,6 +68,13 @@ class FlightRow(CourseRow):
     event_time: f8
     event_low: f8
     event_key: i8  # of events at one instant the least comes first
+    # when it is filed anew at the latest; infinite if it stays where it is
+    file_time: f8
+    file_low: f8
+    # the sooner of the two, by which it stands in the queue
+    due_time: f8
+    due_low: f8
+    due_key: i8
     event: i4
     partner: i4
     partner_version: i4
@@ -75,8 +82,8 @@ class FlightRow(CourseRow):
     place: i4  # in the queue
     row: i4
     # where it is filed
-    bin_x: f8
-    bin_y: f8
+    column: i4
+    line: i4
     level: i4
     cell: i4
     next: i4  # in the same cell

@@ -25,6 +25,13 @@ class IndexRow(TypedDict):
     cells_end: i8
     members_begin: i8
     members_end: i8
+    # of the regions of kinematic shapes (continuous)
+    span: f8  # seconds for which they hold from when they were found
+    widest: f8  # a shape that moves in a wider one is in the list of those which are asked everywhere; below 0: all are
+    wide_begin: i8  # where that list is
+    wide_end: i8
+    resting: i8  # shapes at rest that are not in it
+    moving: i8
 
 
 INDEX = dtype_of(IndexRow)

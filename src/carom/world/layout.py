@@ -27,7 +27,7 @@ class Layout:
 
     Attributes:
         order: The rows that are gone, then the static and the kinematic ones, each by their kinds, then by their rows;
-            behind these, what `patch_index` is told.
+            behind these, room for those that move, and what `patch_index` is told.
         moving: The rows of the kinematic shapes.
         gone: The rows of the shapes that are gone.
     """
@@ -141,9 +141,10 @@ class Layout:
             if before is not None:
                 rows[place] = before
             geometries.append(row if before is None else place)
-        if geometries or self._put:
-            told = np.array([*self._taken, *geometries, *self._put], "i4")
-            self.order = np.concatenate([self.order[: self._count], told])
+        told = [*self._taken, *geometries, *self._put]
+        if told or len(self.order) < behind:
+            movers = np.zeros(len(self.moving), "i4")
+            self.order = np.concatenate([self.order[: self._count], movers, np.array(told, "i4")])
         self._fallen, self._taken, self._put = [], {}, {}
 
     def renumber(self, new: NDArray[np.int32]) -> bool:

@@ -172,6 +172,7 @@ class Arrays:
         behind = self.layout.lay(self.shape_table.used, state)
         self.shape_table.reserve(self.shape_table.count + behind)
         self.layout.tell(self.shape_table.rows)
+        self._list_movers()
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
             self.slots = np.zeros(len(self.balls.rows), SLOT)
@@ -182,6 +183,16 @@ class Arrays:
             flights[:count] = self.flights[:count]
             self.flights = flights
             self.queue = np.zeros(len(self.balls.rows), "i4")
+
+    def _list_movers(self) -> None:
+        """List the kinematic shapes that move behind all shapes, as steps of the continuous mode keep them listed."""
+        state, rows = self.states[0], self.shape_table.used
+        kinematic = self.order[int(state["fixed"]) : len(rows)]
+        own = rows[kinematic]
+        travels = (own["velocity_x"] != 0.0) | (own["velocity_y"] != 0.0)
+        movers = kinematic[(own["spin"] != 0.0) | travels | (own["time_left_before"] > 0.0)]
+        state["movers"] = len(movers)
+        self.order[len(rows) : len(rows) + len(movers)] = movers
 
     def fill(self, balls: Rows, shapes: Rows) -> None:
         """Have copies of other rows in the tables."""
@@ -221,7 +232,8 @@ class Arrays:
         of_shapes = ~np.isin(pool["kind"], OF_BALLS)
         pool["other"][of_shapes] = np.take(new, pool["other"][of_shapes], mode="clip")
         self.shape_table.drop(gone)
-        if self.layout.renumber(new) and state["taken"] + state["put"] == 0:
+        known = self.layout.renumber(new)
+        if known and state["taken"] + state["put"] == 0:
             end = int(self.index[1]["members_end"])
             self.members[:end] = np.take(new, self.members[:end], mode="clip")
         else:
@@ -229,6 +241,8 @@ class Arrays:
         state["shapes"], state["dropped"] = self.shape_table.count, 0
         state["fixed"] = self.shape_table.count - len(self.layout.moving)
         state["foreseen"] = 0
+        if known:
+            self._list_movers()
 
     def extend(self, status: int) -> None:
         """Make the room that a kernel asked for when it came back with `status`."""

@@ -86,8 +86,8 @@ class Stage:
         layout, _memory, marks, *_ = self._carried
         self._loop_block = Block(
             (
-                self._jobs, layout, memory, marks, common.faults, arrays.states, words, shapes, arrays.index,
-                queue, own, arrays.hits.view(HIT_ROW), (self._rows, self._copies),
+                self._jobs, layout, memory, marks, common.faults, arrays.states, words, shapes,
+                arrays.order, arrays.index, queue, own, arrays.hits.view(HIT_ROW), (self._rows, self._copies),
                 (common.columns, common.counts.reshape(-1)),
             )
         )  # fmt: skip
@@ -100,7 +100,8 @@ class Stage:
         layout, memory, marks, words, shapes, queue, (moving, switched) = self._carried
         arrays = self.arrays
         take_copy(
-            layout[0], memory, marks, copy, arrays.states[0], words, shapes, arrays.index, queue, moving, switched
+            layout[0], memory, marks, copy, arrays.states[0], words, shapes, arrays.order, arrays.index, queue, moving,
+            switched,
         )  # fmt: skip
         arrays.balls.count = int(arrays.states[0]["balls"])
 

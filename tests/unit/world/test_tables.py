@@ -68,7 +68,7 @@ def test_shapes_are_met_in_the_order_of_motion_then_kind_then_adding() -> None:
     for shape in given:
         world.add(shape)
     world.step(0.1)
-    order = [given[row] for row in world._arrays.order]
+    order = [given[row] for row in world._arrays.order[: len(given)]]
     kinds = ["point", "point", "segment", "gate", "circle", "arc", "point", "segment"]
     assert [shape.kind for shape in order] == kinds
     assert order[0] is given[6]

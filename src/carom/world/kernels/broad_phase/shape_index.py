@@ -50,14 +50,15 @@ def rest_of_cell(
 ) -> tuple[int, int]:
     """Where the members of a cell begin and end that a ball meets after the shape in `row`, which may be elsewhere."""
     begin, end = cell_span(cells, cell)
-    kind = shapes[row]["kind"]
-    while begin < end:
-        other = members[begin]
-        # Members stand in the order of kinds, and within a kind in that of their rows.
-        if shapes[other]["kind"] > kind or (shapes[other]["kind"] == kind and other > row):
-            break
+    while begin < end and not comes_first(shapes, row, int(members[begin])):
         begin += 1
     return begin, end
+
+
+def comes_first(shapes: Table[ShapeRow], row: int, other: int) -> bool:
+    """True if members' order has a shape before another one: by kinds, and within a kind by rows."""
+    kind, other_kind = shapes[row]["kind"], shapes[other]["kind"]
+    return bool(kind < other_kind or (kind == other_kind and row < other))
 
 
 def build_index(
@@ -107,10 +108,17 @@ def build_index(
         width, height = right - left, top - bottom
         tree = state["broad_phase"] == QUADTREE and not vast and not whole
         built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, tree, cells, members)
+    entry["longest"] = longest_list(entry, cells)
+    return built
+
+
+def longest_list(entry: IndexRow, cells: Table[CellRow]) -> int:
+    """The number of members of the fullest cell."""
+    longest = 0
     for cell in range(entry["cells_begin"], entry["cells_end"]):
         if cells[cell]["child"] == NO_CHILD:
-            entry["longest"] = max(entry["longest"], cells[cell]["end"] - cells[cell]["begin"])
-    return built
+            longest = max(longest, int(cells[cell]["end"] - cells[cell]["begin"]))
+    return longest
 
 
 def build_nodes(
@@ -186,6 +194,19 @@ def build_grid(
     members: Table[int],
 ) -> bool:
     """True if the shapes `order[begin:end]` were put into every cell that they come within `entry["reach"]` of."""
+    if not open_cells(state, entry, width, height, cells):
+        return False
+    for k in range(begin, end):
+        mark_cells(shapes[order[k]], order[k], entry, cells, members, False)
+    if not share_members(state, entry, cells, len(members)):
+        return False
+    for k in range(begin, end):
+        mark_cells(shapes[order[k]], order[k], entry, cells, members, True)
+    return True
+
+
+def open_cells(state: StateRow, entry: IndexRow, width: float, height: float, cells: Table[CellRow]) -> bool:
+    """True when a grid has its cells, in which nothing was counted yet; False if there are too few rows for them."""
     side = float(entry["side"])
     entry["columns"] = int(width / side) + 1
     entry["lines"] = int(height / side) + 1
@@ -198,19 +219,25 @@ def build_grid(
         cells[cell]["child"] = NO_CHILD
         cells[cell]["end"] = 0
         cells[cell]["depth"] = 0
-    for k in range(begin, end):
-        mark_cells(shapes[order[k]], order[k], entry, cells, members, False)
+    return True
+
+
+def share_members(state: StateRow, entry: IndexRow, cells: Table[CellRow], room: int) -> bool:
+    """True when each cell of a grid, whose members are counted, has its place for them; False if `room` is too little.
+
+    Each is empty then, up to where its first member is to be written.
+    """
+    first = int(entry["cells_begin"])
+    last = first + int(entry["columns"] * entry["lines"])
     total = int(entry["members_begin"])
     for cell in range(first, last):
         held = int(cells[cell]["end"])
         cells[cell]["begin"] = total
         cells[cell]["end"] = total
         total += held
-    if total > len(members):
+    if total > room:
         state["wanted_members"] = total
         return False
-    for k in range(begin, end):
-        mark_cells(shapes[order[k]], order[k], entry, cells, members, True)
     entry["cells_end"] = last
     entry["members_end"] = total
     return True

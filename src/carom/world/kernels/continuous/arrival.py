@@ -5,7 +5,7 @@ from __future__ import annotations
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, NO_TICK, FlightRow
-from carom.rows.index import CellRow, IndexRow
+from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
@@ -16,6 +16,7 @@ from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slide_on
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
@@ -26,7 +27,6 @@ def arrive(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -53,12 +53,9 @@ def arrive(
     flight["time"] = state["now"]
     flight["low"] = state["now_low"]
     if age > 0.0 and flight["kind"] == FLYING:
-        cell = locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"]))
-        begin, end = cell_span(cells, cell)
-        if begin < end:
-            note_passing(state, ball, flight, i, shapes, members, begin, end, relations, 0.0, age, from_x, from_y)
-        begin, end = int(state["fixed"]), int(state["shapes"])
-        note_passing(state, ball, flight, i, shapes, order, begin, end, relations, 0.0, age, from_x, from_y)
+        note_all_passing(
+            state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, from_x, from_y
+        )  # fmt: skip
 
 
 def energy_of(state: StateRow, ball: BallRow) -> float:
@@ -95,15 +92,13 @@ def fly_on(ball: BallRow, flight: FlightRow, age: float) -> None:
         ball["vy"] = vy
 
 
-def note_passing(
+def note_all_passing(
     state: StateRow,
     ball: BallRow,
     flight: FlightRow,
     i: int,
     shapes: Table[ShapeRow],
-    members: Table[int],
-    begin: int,
-    end: int,
+    shape_index: ShapeIndex,
     relations: Table[RelationRow],
     ahead: float,
     age: float,
@@ -117,32 +112,55 @@ def note_passing(
     One that overlaps a shape otherwise was pushed onto it. One that slides or rolls is handed from shape to shape at
     their joint, where its hop lies a little off the next one. There must be room for a relation with each.
     """
-    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    depth = LIFT if has_kind(relations, ball, LASTING) else END_DEPTH_CONTINUOUS
+    index, cells, members = shape_index
+    x, y = float(ball["x"]), float(ball["y"])
+    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
     for k in range(begin, end):
-        row = row_of(members[k])
-        shape = shapes[row]
-        if not has_ends(shape["kind"]):
-            continue
-        if not is_moving(shape) and (
-            x + radius < shape["left"]
-            or x - radius > shape["right"]
-            or y + radius < shape["bottom"]
-            or y - radius > shape["top"]
-        ):
-            continue
-        motion_age = age_of_motion(shape, flight) + ahead if is_moving(shape) else 0.0
-        found = gap_to_shape(shape, motion_age, x, y, radius, 0.0, 0.0)
-        if found is None:
-            continue
-        gap, _nx, _ny = found
-        if (
-            gap < -depth * radius
-            and shape["sensor"] == 0
-            and ball["sensor"] == 0
-            and may_collide(ball, shape)
-            and not find_relation(relations, ball, PASSING, row)
-            and not find_relation(relations, ball, LASTING, row)
-            and gap_to_shape(shape, motion_age - age, from_x, from_y, radius, 0.0, 0.0) is None
-        ):
-            add_relation(state, relations, ball, i, PASSING, row)
+        note_passing(state, ball, flight, i, shapes, row_of(members[k]), relations, ahead, age, from_x, from_y)
+    near, wide = kinematic_near(state, index, cells, x, y)
+    while is_any_near(near, wide):
+        row, near, wide = next_near(shapes, members, near, wide)
+        note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
+
+
+def note_passing(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    i: int,
+    shapes: Table[ShapeRow],
+    row: int,
+    relations: Table[RelationRow],
+    ahead: float,
+    age: float,
+    from_x: float,
+    from_y: float,
+) -> None:
+    """Let a ball pass a shape if it overlaps it and came into it past an end."""
+    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+    shape = shapes[row]
+    if not has_ends(shape["kind"]):
+        return
+    if not is_moving(shape) and (
+        x + radius < shape["left"]
+        or x - radius > shape["right"]
+        or y + radius < shape["bottom"]
+        or y - radius > shape["top"]
+    ):
+        return
+    depth = LIFT if has_kind(relations, ball, LASTING) else END_DEPTH_CONTINUOUS
+    motion_age = age_of_motion(shape, flight) + ahead if is_moving(shape) else 0.0
+    found = gap_to_shape(shape, motion_age, x, y, radius, 0.0, 0.0)
+    if found is None:
+        return
+    gap, _nx, _ny = found
+    if (
+        gap < -depth * radius
+        and shape["sensor"] == 0
+        and ball["sensor"] == 0
+        and may_collide(ball, shape)
+        and not find_relation(relations, ball, PASSING, row)
+        and not find_relation(relations, ball, LASTING, row)
+        and gap_to_shape(shape, motion_age - age, from_x, from_y, radius, 0.0, 0.0) is None
+    ):
+        add_relation(state, relations, ball, i, PASSING, row)

@@ -1,22 +1,22 @@
 """Cells for balls in flight: a ball is tested against those in the cells near it alone.
 
-A ball is filed under the cell of its level that holds its centre, and filed anew before it is farther than its leash, a
-part of the cell's width, from where it was filed. Cells of a level are at least twice as wide as its balls. So two
-balls that touch are filed within the sum of their radii and leashes of each other. Numbers of cells wrap around.
+A ball is filed under the cell of its level that holds its centre, and filed anew when it is outside of that by a
+margin, a part of the cell's width. Cells of a level are at least twice as wide as its balls. So two balls of a level
+that touch are filed under the same cell or neighbouring ones. Numbers of cells wrap around.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from math import fabs, inf, sqrt
 
-from carom.constants import BIN_LEASH, BIN_SIDE
+from carom.constants import BIN_MARGIN, BIN_SIDE, CELL_CLAMP
 from carom.rows.ball import BallRow
 from carom.rows.flight import NO_BALL, FlightRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of, level_of, wrapped_size
 from carom.world.kernels.broad_phase.pairs import measure_balls
-from carom.world.kernels.continuous.flight import age_now, place_after
+from carom.world.kernels.continuous.flight import age_now, place_after, time_to_go
 
 
 def open_bins(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int]) -> bool:
@@ -53,22 +53,17 @@ def may_meet(state: StateRow, balls: Table[BallRow]) -> bool:
     return layers & masks != 0
 
 
-def leash(state: StateRow, flight: FlightRow) -> float:
-    """How far a ball may be from where it was filed."""
-    return BIN_LEASH * float(state["bin_side"]) / float(1 << int(flight["level"]))
-
-
 def file_ball(
     state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], ball: int, age: float
 ) -> None:
     """File a ball, which is filed nowhere, under the cell that it is in at an age of its flight."""
     row, flight = balls[ball], flights[ball]
-    side = float(state["bin_side"])
-    level = level_of(BIN_SIDE * 2.0 * float(row["radius"]), side)
+    level = level_of(BIN_SIDE * 2.0 * float(row["radius"]), float(state["bin_side"]))
     x, y, _vx, _vy = place_after(row, flight, age)
-    cell = bin_number(state, x, y, level)
-    flight["bin_x"] = x
-    flight["bin_y"] = y
+    column, line = cell_at(state, x, y, level)
+    cell = bin_number(state, column, line, level)
+    flight["column"] = column
+    flight["line"] = line
     flight["level"] = level
     flight["cell"] = cell
     flight["next"] = heads[cell]
@@ -88,9 +83,46 @@ def unfile_ball(flights: Table[FlightRow], heads: Table[int], ball: int) -> None
     flights[other]["next"] = flights[ball]["next"]
 
 
-def bin_number(state: StateRow, x: float, y: float, level: int) -> int:
-    """The number of the cell of a level that holds (x, y)."""
+def cell_at(state: StateRow, x: float, y: float, level: int) -> tuple[int, int]:
+    """Column and line of the cell of a level that holds (x, y)."""
     inverse_side = inverse_side_of(float(state["bin_side"]), level)
-    column = cell_of(x - float(state["bin_left"]), inverse_side)
-    line = cell_of(y - float(state["bin_bottom"]), inverse_side)
+    return cell_of(x - float(state["bin_left"]), inverse_side), cell_of(y - float(state["bin_bottom"]), inverse_side)
+
+
+def bin_number(state: StateRow, column: int, line: int, level: int) -> int:
+    """The number of a cell of a level."""
     return (column + int(state["bin_stride"]) * line + level) & int(state["bin_mask"])
+
+
+def stretch_of(cell: int, side: float) -> tuple[float, float]:
+    """Where, along one axis from the corner of all cells, balls may be that are filed under a column or line."""
+    low, high = (cell - BIN_MARGIN) * side, (cell + 1.0 + BIN_MARGIN) * side
+    # The last ones have no end.
+    return (low if cell > -CELL_CLAMP else -inf), (high if cell < CELL_CLAMP else inf)
+
+
+def time_filed(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> float:
+    """The seconds from an age of its flight for which a ball stays where it is filed, or somewhat less.
+
+    Infinite if it does for ever; below 0 if it is outside already.
+    """
+    x, y, vx, vy = place_after(ball, flight, age)
+    side = float(state["bin_side"]) / float(1 << int(flight["level"]))
+    across = time_within(
+        x - float(state["bin_left"]), vx, float(flight["ax"]), stretch_of(int(flight["column"]), side)
+    )  # fmt: skip
+    along = time_within(
+        y - float(state["bin_bottom"]), vy, float(flight["ay"]), stretch_of(int(flight["line"]), side)
+    )  # fmt: skip
+    return min(across, along)
+
+
+def time_within(place: float, speed: float, pull: float, stretch: tuple[float, float]) -> float:
+    """The time for which what moves on a line stays in a stretch, or less where it is pulled; -1 if it is outside."""
+    low, high = stretch
+    if place < low or place > high:
+        return -1.0
+    if pull == 0.0:
+        way = high - place if speed > 0.0 else place - low
+        return way / fabs(speed) if speed != 0.0 else inf
+    return time_to_go(fabs(speed), fabs(pull), min(place - low, high - place))

@@ -23,7 +23,6 @@ def let_go(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -40,7 +39,7 @@ def let_go(
         ball, flight = balls[i], flights[i]
         if flight["kind"] != ASLEEP and not is_let_go(balls, shapes, relations, ball):
             continue
-        arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, i)
         let_fly(state, ball, flight)
         if lies(relations, ball):
             hasten(state, balls, flights, relations, bodies, i)

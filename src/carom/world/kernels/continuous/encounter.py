@@ -37,6 +37,7 @@ from carom.world.kernels.continuous.flight import age_at
 from carom.world.kernels.continuous.island import join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame, reach_of
 from carom.world.kernels.step.hits import cross_ball, record_hit
@@ -53,7 +54,6 @@ def impact_with_shape(
     i: int,
     shapes: Table[ShapeRow],
     row: int,
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -84,9 +84,7 @@ def impact_with_shape(
     gap, nx, ny = found
     # One at rest may have been put onto the ball.
     pushes = is_moving(shape) or (shape["motion"] == KINEMATIC and gap < -LIFT * radius)
-    if pushes and is_squeezed(
-        state, ball, flight, shapes, order, index, cells, members, row, max(-gap, 0.0), nx, ny
-    ):  # fmt: skip
+    if pushes and is_squeezed(state, ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny):
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return
@@ -99,7 +97,7 @@ def impact_with_shape(
         ball["y"] = y
     bounce(state, ball, flight, i, shapes, row, hits, relations, gap, nx, ny)
     if not lies(relations, ball) and is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"]), False):
-        stop_between(state, ball, flight, shapes, order, index, cells, members, row, nx, ny)
+        stop_between(state, ball, flight, shapes, index, cells, members, row, nx, ny)
 
 
 def bounce(
@@ -209,7 +207,6 @@ def stop_between(
     ball: BallRow,
     flight: FlightRow,
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -221,12 +218,15 @@ def stop_between(
 
     Between the two it would come to rest only after impacts without end, each of which leaves it a part of its speed.
     """
-    begin, end = cell_span(cells, locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"])))
+    x, y = float(ball["x"]), float(ball["y"])
+    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
     for k in range(begin, end):
         if row_of(members[k]) != row and is_stopped_by(ball, flight, shapes[row], shapes[members[k]], nx, ny):
             return
-    for k in range(state["fixed"], state["shapes"]):
-        if row_of(order[k]) != row and is_stopped_by(ball, flight, shapes[row], shapes[order[k]], nx, ny):
+    near, wide = kinematic_near(state, index, cells, x, y)
+    while is_any_near(near, wide):
+        other, near, wide = next_near(shapes, members, near, wide)
+        if other != row and is_stopped_by(ball, flight, shapes[row], shapes[other], nx, ny):
             return
 
 
@@ -279,7 +279,6 @@ def is_squeezed(
     ball: BallRow,
     flight: FlightRow,
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -300,8 +299,9 @@ def is_squeezed(
     for k in range(begin, end):
         if is_in_way(ball, flight, shapes[members[k]], room, nx, ny):
             return True
-    for k in range(state["fixed"], state["shapes"]):
-        other = int(order[k])
+    near, wide = kinematic_near(state, index, cells, x + ahead * nx, y + ahead * ny)
+    while is_any_near(near, wide):
+        other, near, wide = next_near(shapes, members, near, wide)
         before = other < row or not is_moving(shapes[other])
         if other != row and before and is_in_way(ball, flight, shapes[other], room, nx, ny):
             return True

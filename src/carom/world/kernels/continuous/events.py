@@ -34,7 +34,7 @@ from carom.world.kernels.continuous.island import hasten, is_solved, lies
 from carom.world.kernels.continuous.jolt import jolt
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import change_movers
-from carom.world.kernels.continuous.predict import predict
+from carom.world.kernels.continuous.predict import file_anew, is_filed_first, predict
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
@@ -60,17 +60,20 @@ def deal_with(
 ) -> None:
     """Deal with the next event, which is that of ball `i`, and foresee what comes next for the balls concerned."""
     ball, flight = balls[i], flights[i]
+    if is_filed_first(flight):
+        file_anew(state, balls, heads, flights, relations, queue, i)
+        return
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
     if event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"]):
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
     from_x, from_y, age = float(ball["x"]), float(ball["y"]), age_now(state, flight)
-    arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+    arrive(state, balls, shapes, index, cells, members, flights, relations, i)
     second = partner if of_two else NO_BALL
     struck, changed = event == HIT_BALL, event == HIT_BALL or event == LEAVE or event == STOP
     if of_two:
-        arrive(state, balls, shapes, order, index, cells, members, flights, relations, partner)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, partner)
         low, high = min(i, partner), max(i, partner)
         if event == HIT_BALL:
             meet_balls(state, balls, shapes, index, cells, members, hits, relations, flights, low, high)
@@ -83,7 +86,7 @@ def deal_with(
     elif event == HIT_SHAPE:
         struck, changed = True, True
         impact_with_shape(
-            state, ball, flight, i, shapes, partner, order, index, cells, members, hits, relations
+            state, ball, flight, i, shapes, partner, index, cells, members, hits, relations
         )  # fmt: skip
     else:
         end_quietly(state, ball, flight, shapes, hits, relations, event, partner)
@@ -122,7 +125,7 @@ def fly_on_from(
         # An impact may have been foreseen with either of two; they are solved in the order of their rows.
         low, high = (i, second) if second == NO_BALL or i < second else (second, i)
         count = jolt(
-            state, balls, shapes, order, index, cells, members, flights, relations, island, low, high, struck
+            state, balls, shapes, index, cells, members, flights, relations, island, low, high, struck
         )  # fmt: skip
         for k in range(count):
             ball = row_of(bodies[k]["ball"])
@@ -231,7 +234,7 @@ def change_shapes(
     """Let the shapes that stop or arrive now do so; balls that they hold begin new flights."""
     for i in range(state["balls"]):
         if balls[i]["relation"] != NO_RELATION and is_held_by_mover(balls[i], shapes, relations):
-            arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+            arrive(state, balls, shapes, index, cells, members, flights, relations, i)
             if lies(relations, balls[i]):
                 hasten(state, balls, flights, relations, bodies, i)
     change_movers(state, shapes, order)

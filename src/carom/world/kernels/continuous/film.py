@@ -35,13 +35,14 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Pairs, Table
-from carom.world.kernels.broad_phase.shape_index import FIXED
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
 from carom.world.kernels.continuous.instants import is_before
 from carom.world.kernels.continuous.predict import predict_all
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.step.discrete import (
     enter_stage,
     find_pairs,
@@ -90,7 +91,7 @@ def step_continuous(
             status = take_up(state, balls, shapes, order, hits, relations, flights, island[0])
         elif stage == FORESEE:
             status = DONE
-            if not rebuild_index(state, balls, shapes, order, (index, cells, members)) or not predict_all(
+            if not rebuild_regions(state, balls, shapes, order, (index, cells, members)) or not predict_all(
                 state, balls, shapes, order, index, cells, members, starts, relations, flights, queue
             ):
                 status = NEEDS_PAIRS
@@ -181,25 +182,22 @@ def fly(
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
 ) -> int:
     """DONE when all events up to the horizon are dealt with; NEEDS_ROOM if there may be too little for the next one."""
-    most = 2 * int(index[FIXED]["longest"] + state["shapes"] - state["fixed"]) + 4
+    most = 2 * int(index[FIXED]["longest"] + index[MOVING]["longest"]) + 4
     horizon, horizon_low = float(state["horizon"]), float(state["horizon_low"])
     while True:
         if lacks_room_for_event(state, len(hits), relations, most):
             return NEEDS_ROOM
         i = row_of(queue[0]) if state["queued"] > 0 else -1
-        change, change_low = float(state["change"]), float(state["change_low"])
+        change, change_low, _of_regions = next_change(state)
         next_is_shape = i < 0 or not is_before(
-            float(flights[i]["event_time"]), float(flights[i]["event_low"]), change, change_low
+            float(flights[i]["due_time"]), float(flights[i]["due_low"]), change, change_low
         )
         if next_is_shape:
             if is_before(horizon, horizon_low, change, change_low):
                 break
-            state["now"] = change
-            state["now_low"] = change_low
-            change_shapes(state, balls, shapes, order, index, cells, members, flights, relations, island[0])
-            enter_stage(state, FORESEE)
+            go_to_change(state, balls, shapes, order, index, cells, members, flights, relations, island[0])
             return DONE
-        time, low = float(flights[i]["event_time"]), float(flights[i]["event_low"])
+        time, low = float(flights[i]["due_time"]), float(flights[i]["due_low"])
         if is_before(horizon, horizon_low, time, low):
             break
         # What was foreseen for a time that is past, by rounding, is now.
@@ -207,12 +205,13 @@ def fly(
             state["now"] = time
             state["now_low"] = low
         spent = int(state["spent"])
+        state["renewals"] = 0
         deal_with(
             state, balls, shapes, order, index, cells, members, heads, hits, relations, flights, queue, island, i
         )  # fmt: skip
         over = is_over(state, balls, flights, hits, i)
         if state["spent"] != spent:
-            let_go(state, balls, shapes, order, index, cells, members, hits, relations, flights, island[0])
+            let_go(state, balls, shapes, index, cells, members, hits, relations, flights, island[0])
             state["foreseen"] = 0
         if over:
             state["horizon"] = state["now"]
@@ -227,6 +226,38 @@ def fly(
             return PAUSE
     enter_stage(state, SHOW)
     return DONE
+
+
+def go_to_change(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    bodies: Table[BodyRow],
+) -> None:
+    """Let it be when the next shape stops or arrives, or when regions hold no more; all is to be foreseen anew."""
+    time, low, of_regions = next_change(state)
+    state["now"] = time
+    state["now_low"] = low
+    if of_regions:
+        state["renewals"] += 1
+    else:
+        change_shapes(state, balls, shapes, order, index, cells, members, flights, relations, bodies)
+    enter_stage(state, FORESEE)
+
+
+def next_change(state: StateRow) -> tuple[float, float, bool]:
+    """When the next shape stops or arrives, or their regions hold no more, and whether it is the latter."""
+    change, change_low = float(state["change"]), float(state["change_low"])
+    valid, valid_low = float(state["valid"]), float(state["valid_low"])
+    if is_before(valid, valid_low, change, change_low):
+        return valid, valid_low, True
+    return change, change_low, False
 
 
 def lacks_room_for_event(state: StateRow, hits: int, relations: Table[RelationRow], most: int) -> bool:

@@ -28,16 +28,24 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
-from carom.world.kernels.continuous.arrival import energy_of, note_passing
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
+from carom.world.kernels.continuous.arrival import energy_of, note_all_passing
 from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
-from carom.world.kernels.continuous.movers import begin_motions, foresee_changes, is_changed, show_movers, take_back
+from carom.world.kernels.continuous.movers import (
+    begin_motions,
+    foresee_changes,
+    list_movers,
+    show_movers,
+    take_back,
+    unlist_resting,
+)
+from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
-from carom.world.kernels.step.discrete import enter_stage, rebuild_index
+from carom.world.kernels.step.discrete import enter_stage
 from carom.world.kernels.step.ending import sweep_relations
 from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.relations import relations_room
@@ -65,12 +73,14 @@ def begin_film_step(
     In the later steps of a call nothing can have been changed: then the film just goes on.
     """
     state = states[0]
+    changed = False
     if state["running"] == 0:
         bad = refused(state, balls)
         if bad != DONE:
             return bad
         keep_seen(state, balls, flights)
-        if is_changed(state, shapes, order) or (state["sleeping"] > 0 and is_any_changed(state, balls, flights)):
+        changed = state["wake"] != 0 or is_any_changed(state, balls, flights)
+        if state["sleeping"] > 0 and changed:
             state["wake"] = 1
         if state["index_stale"] + state["taken"] + state["put"] > 0:
             state["foreseen"] = 0
@@ -81,12 +91,12 @@ def begin_film_step(
     horizon, horizon_low = later(float(state["time"]), float(state["time_low"]), float(state["dt"]))
     state["horizon"] = horizon
     state["horizon_low"] = horizon_low
-    keep_tables(states, shapes, order, relations)
+    keep_tables(states, shapes, order, relations, changed)
     state["substep"] = 0
     state["outside"] = 0
     if state["running"] != 0:
         enter_stage(state, FLY)
-    elif state["wake"] != 0 or is_any_changed(state, balls, flights):
+    elif changed:
         state["foreseen"] = 0
         if state["wake"] != 0:
             # Where they are seen, or were put, they begin to move as was set.
@@ -147,17 +157,31 @@ def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
 
 
 def keep_tables(
-    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow]
-) -> None:  # fmt: skip
-    """Keep all that a step may change but for the balls: state, kinematic shapes, relations."""
+    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow], whole: bool
+) -> None:
+    """Keep all that a step may change but for the balls: state, relations, and the kinematic shapes that move.
+
+    Or all kinematic ones where `whole`, because something was changed from outside, which may move any of them.
+    """
     state = states[0]
-    count, fixed = int(state["shapes"]), int(state["fixed"])
-    for k in range(fixed, count):
-        shapes[count + k - fixed] = shapes[order[k]]
+    unlist_resting(state, shapes, order)
+    state["kept_whole"] = 1 if whole else 0
+    count = int(state["shapes"])
+    begin, end = kept_shapes(state)
+    for k in range(begin, end):
+        shapes[count + k - begin] = shapes[order[k]]
     half = len(relations) // 2
     for k in range(state["relations_high"]):
         relations[half + k] = relations[k]
     states[1] = states[0]
+
+
+def kept_shapes(state: StateRow) -> tuple[int, int]:
+    """Where those kinematic shapes begin and end in `order` that were copied when the step began."""
+    count = int(state["shapes"])
+    if state["kept_whole"] != 0:
+        return int(state["fixed"]), count
+    return count, count + int(state["movers"])
 
 
 def note_passed(
@@ -175,10 +199,9 @@ def note_passed(
 
     NEEDS_ROOM where relations ran out, NEEDS_PAIRS where the index of shapes lacks room.
     """
-    if not rebuild_index(state, balls, shapes, order, (index, cells, members)):
+    if not rebuild_regions(state, balls, shapes, order, (index, cells, members)):
         return NEEDS_PAIRS
-    fixed, count = int(state["fixed"]), int(state["shapes"])
-    most = int(index[FIXED]["longest"]) + count - fixed
+    most = int(index[FIXED]["longest"] + index[MOVING]["longest"])
     for i in range(state["cursor"], state["balls"]):
         ball, flight = balls[i], flights[i]
         state["cursor"] = i
@@ -191,9 +214,7 @@ def note_passed(
         if moved or flight["id"] != ball["id"] or flight["kind"] != FLYING or not age > 0.0:
             continue
         x, y = float(flight["x"]), float(flight["y"])
-        begin, end = cell_span(cells, locate(state, index[FIXED], cells, float(ball["x"]), float(ball["y"])))
-        note_passing(state, ball, flight, i, shapes, members, begin, end, relations, age, age, x, y)
-        note_passing(state, ball, flight, i, shapes, order, fixed, count, relations, age, age, x, y)
+        note_all_passing(state, ball, flight, i, shapes, (index, cells, members), relations, age, age, x, y)
     show_movers(state, shapes, order)
     enter_stage(state, MOVE)
     return DONE
@@ -287,7 +308,8 @@ def finish_frame(
         show(state, balls, shapes, relations, flights)
         show_movers(state, shapes, order)
         state["running"] = 0
-    if not shapes_are_sound(state, shapes, order):
+    begin, end = kept_shapes(state)
+    if not shapes_are_sound(shapes, order, begin, end):
         undo(states, balls, shapes, order, saved, relations, flights)
         return NOT_FINITE
     if state["bounded"] != 0:
@@ -373,11 +395,15 @@ def undo(
             go_back(balls[i], flights, i)
     states[0] = states[1]
     state = states[0]
-    count, fixed = int(state["shapes"]), int(state["fixed"])
-    for k in range(fixed, count):
+    count = int(state["shapes"])
+    begin, end = kept_shapes(state)
+    for k in range(begin, end):
         sound = is_in_reach(shapes[order[k]])
-        shapes[order[k]] = shapes[count + k - fixed]
-        shapes[count + k - fixed]["once"] = 0 if sound else 1
+        shapes[order[k]] = shapes[count + k - begin]
+        shapes[count + k - begin]["once"] = 0 if sound else 1
+    for k in range(count + end - begin, 2 * count - state["fixed"]):
+        shapes[k]["once"] = 0
+    list_movers(state, shapes, order)
     if spent > 0:
         unspend(shapes, count)
     half = len(relations) // 2

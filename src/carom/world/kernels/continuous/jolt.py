@@ -40,7 +40,6 @@ def jolt(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -58,7 +57,7 @@ def jolt(
     bodies, contacts = island
     count = list_wanted(state, balls, flights, bodies, first, second)
     while True:
-        count = widen(state, balls, shapes, order, index, cells, members, flights, relations, bodies, count)
+        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
         time, low = next_tick(flights, bodies, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
@@ -68,7 +67,7 @@ def jolt(
         if asleep or not pull > 0.0 or tau <= LEAST_TICK * tick_length(pull, turning, radius):
             dismiss(flights, bodies, count)
             return settle(
-                state, balls, shapes, order, index, cells, members, flights, relations, island, first, second, struck
+                state, balls, shapes, index, cells, members, flights, relations, island, first, second, struck
             )  # fmt: skip
         speed = rest_speed_of(pull, radius, fastest)
         resolve_impact(bodies, contacts, counts, speed)
@@ -80,13 +79,13 @@ def jolt(
         store_forces(balls, relations, island, found)
         if not take_in_pushed(flights, bodies, count, tau, JOLT_SHARE * speed):
             break
-        count = widen(state, balls, shapes, order, index, cells, members, flights, relations, bodies, count)
+        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
     end_contacts(state, balls, shapes, relations, island, counts, speed, True)
     for k in range(count):
         i = row_of(bodies[k]["ball"])
-        begin_now(state, balls, shapes, order, index, cells, members, flights, relations, i)
+        begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
         fly_on_solved(state, balls[i], flights[i], bodies[k], time, low)
     let_loose(state, balls, flights, shapes, relations, bodies, count)
     return count
@@ -135,7 +134,6 @@ def widen(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -149,7 +147,7 @@ def widen(
     for k in range(known):
         if bodies[k]["core"] == WANTED:
             begin_now(
-                state, balls, shapes, order, index, cells, members, flights, relations, row_of(bodies[k]["ball"])
+                state, balls, shapes, index, cells, members, flights, relations, row_of(bodies[k]["ball"])
             )  # fmt: skip
             listed = count
             count = enlist_neighbours(balls, flights, relations, bodies, count, k)

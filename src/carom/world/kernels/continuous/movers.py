@@ -31,22 +31,32 @@ def begin_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
     """Let all kinematic shapes move on from now as their rows say."""
     for k in range(state["fixed"], state["shapes"]):
         begin_motion(shapes[order[k]], float(state["now"]), float(state["now_low"]))
+    list_movers(state, shapes, order)
 
 
-def is_changed(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
-    """True if a kinematic shape is to turn otherwise than it did."""
-    changed = False
-    for k in range(state["fixed"], state["shapes"]):
-        changed = changed or turns_otherwise(shapes[order[k]])
-    return changed
+def is_restless(shape: ShapeRow) -> bool:
+    """True if a shape moves, or is to arrive somewhere."""
+    return is_moving(shape) or bool(shape["time_left_before"] > 0.0)
 
 
-def turns_otherwise(shape: ShapeRow) -> bool:
-    """True if a shape is to turn otherwise than it did."""
-    spin, acting = float(shape["spin"]), acting_spin(shape)
-    # A moment before its stop rounding shows it there; it turns on until that.
-    at_stop = acting == 0.0 and shape["rotating"] != 0 and spin == shape["angular_velocity"]
-    return bool(spin != acting and not at_stop)
+def list_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+    """List the kinematic shapes that move in `order`, behind all shapes; steps do nothing to the others."""
+    count, found = int(state["shapes"]), 0
+    for k in range(state["fixed"], count):
+        if is_restless(shapes[order[k]]):
+            order[count + found] = order[k]
+            found += 1
+    state["movers"] = found
+
+
+def unlist_resting(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+    """Take out of that list what has come to rest."""
+    count, found = int(state["shapes"]), 0
+    for k in range(count, count + state["movers"]):
+        if is_restless(shapes[order[k]]):
+            order[count + found] = order[k]
+            found += 1
+    state["movers"] = found
 
 
 def time_to_stop(shape: ShapeRow) -> float:
@@ -71,7 +81,7 @@ def foresee_changes(state: StateRow, shapes: Table[ShapeRow], order: Table[int])
     """Find the instant at which the next shape stops or arrives."""
     state["change"] = inf
     state["change_low"] = 0.0
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
         wait = time_to_change(shape)
         if wait < inf:
@@ -83,7 +93,7 @@ def foresee_changes(state: StateRow, shapes: Table[ShapeRow], order: Table[int])
 
 def change_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Let the shapes that stop or arrive now do so, and move on from here as they do then."""
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
         wait = time_to_change(shape)
         if wait == inf:
@@ -106,7 +116,7 @@ def go_on(shape: ShapeRow, seconds: float) -> None:
 
 def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Put the kinematic shapes to where they are now; where their motion began stays known."""
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
         if is_moving(shape):
             age = age_of_mover(state, shape)
@@ -137,7 +147,7 @@ def age_of_mover(state: StateRow, shape: ShapeRow) -> float:
 
 def take_back(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Put the kinematic shapes, which the rows show as they are now, back to where their motion began."""
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
         if is_moving(shape):
             shape["orientation"] = shape["orientation_before"]

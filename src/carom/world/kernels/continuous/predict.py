@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf
 
 from carom.constants import FEW_BALLS
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, LEAVE, LOOK, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow
+from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.relation import INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.bins import file_ball, leash, may_meet, open_bins, unfile_ball
-from carom.world.kernels.continuous.flight import age_now, consider, consider_at, place_after, time_to_go
-from carom.world.kernels.continuous.predict_balls import predict_balls
+from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, open_bins, time_filed, unfile_ball
+from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, place_after
+from carom.world.kernels.continuous.instants import is_before, later
+from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
 from carom.world.kernels.continuous.predict_shapes import predict_shapes
 from carom.world.kernels.continuous.queue import put_event, row_of, take_event
@@ -71,7 +72,7 @@ def predict(
 ) -> None:
     """Find what comes next for ball `i` from now on and put it into the queue, or take the ball out if nothing does."""
     if state["binned"] != 0:
-        refile(state, balls, flights, heads, i)
+        keep_filed(state, balls, flights, heads, i)
     predict_own(state, balls, flights, shapes, order, index, cells, members, relations, i)
     # One that sleeps, too: an impact may have been known in its place alone.
     if state["bin_levels"] != 0:
@@ -79,26 +80,67 @@ def predict(
     queue_up(state, flights, queue, i)
 
 
-def refile(
+def keep_filed(
     state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], i: int
 ) -> None:  # fmt: skip
-    """File a ball anew if it has gone half of the way that it may from where it was filed."""
-    flight = flights[i]
-    age = age_now(state, flight)
-    x, y, _vx, _vy = place_after(balls[i], flight, age)
-    dx, dy = x - float(flight["bin_x"]), y - float(flight["bin_y"])
-    half = 0.5 * leash(state, flight)
-    if dx * dx + dy * dy > half * half:
+    """File a ball anew that an event has moved out of where it may be."""
+    age = age_now(state, flights[i])
+    if time_filed(state, balls[i], flights[i], age) < 0.0:
         unfile_ball(flights, heads, i)
         file_ball(state, balls, flights, heads, i, age)
 
 
+def file_anew(
+    state: StateRow,
+    balls: Table[BallRow],
+    heads: Table[int],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    queue: Table[int],
+    i: int,
+) -> None:
+    """File a ball under the cell that it has come to, and foresee impacts with balls that are near it from there on.
+
+    What else was foreseen stands.
+    """
+    flight = flights[i]
+    age = age_now(state, flight)
+    column, line = int(flight["column"]), int(flight["line"])
+    x, y, _vx, _vy = place_after(balls[i], flight, age)
+    if (column, line) != cell_at(state, x, y, int(flight["level"])):
+        unfile_ball(flights, heads, i)
+        file_ball(state, balls, flights, heads, i, age)
+        predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
+    foresee_filing(state, balls[i], flight, age)
+    queue_up(state, flights, queue, i)
+
+
 def queue_up(state: StateRow, flights: Table[FlightRow], queue: Table[int], i: int) -> None:
-    """Put the next event of ball `i` into the queue, or take the ball out if it has none."""
-    if flights[i]["event"] != NOTHING:
-        put_event(state, flights, queue, i)
-    elif flights[i]["place"] != NO_PLACE:
+    """Put what comes next for ball `i` into the queue, or take the ball out if nothing does."""
+    flight = flights[i]
+    if is_filed_first(flight):
+        flight["due_time"] = flight["file_time"]
+        flight["due_low"] = flight["file_low"]
+        flight["due_key"] = i * KEY_SIDE
+    elif flight["event"] != NOTHING:
+        flight["due_time"] = flight["event_time"]
+        flight["due_low"] = flight["event_low"]
+        flight["due_key"] = flight["event_key"]
+    elif flight["place"] != NO_PLACE:
         take_event(state, flights, queue, i)
+        return
+    else:
+        return
+    put_event(state, flights, queue, i)
+
+
+def is_filed_first(flight: FlightRow) -> bool:
+    """True if a ball is to be filed anew before its next event comes."""
+    if flight["event"] == NOTHING:
+        return bool(flight["file_time"] < inf)
+    return is_before(
+        float(flight["file_time"]), float(flight["file_low"]), float(flight["event_time"]), float(flight["event_low"])
+    )
 
 
 def predict_own(
@@ -123,23 +165,24 @@ def predict_own(
             consider_at(flight, float(flight["tick_time"]), float(flight["tick_low"]), TICK, NO_BALL)
         else:
             predict_rest(state, ball, flight)
-        if state["binned"] != 0:
-            predict_leash(state, ball, flight, age)
+    foresee_filing(state, ball, flight, age)
     if ball["relation"] != NO_RELATION:
         predict_relations(state, balls, flights, shapes, relations, i, age)
     if state["shapes"] > 0:
         predict_shapes(state, ball, flight, shapes, order, index, cells, members, relations, age)
 
 
-def predict_leash(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:
-    """Foresee a look at the time at which a ball may be as far from where it was filed as it may."""
-    x, y, vx, vy = place_after(ball, flight, age)
-    dx, dy = x - float(flight["bin_x"]), y - float(flight["bin_y"])
-    left = leash(state, flight) - sqrt(dx * dx + dy * dy)
-    ax, ay = float(flight["ax"]), float(flight["ay"])
-    wait = time_to_go(sqrt(vx * vx + vy * vy), sqrt(ax * ax + ay * ay), max(left, 0.0))
+def foresee_filing(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:
+    """Foresee when a ball may leave where it is filed, as seen from an age of its flight."""
+    flight["file_time"] = inf
+    flight["file_low"] = 0.0
+    if state["binned"] == 0 or flight["kind"] != FLYING:
+        return
+    wait = time_filed(state, ball, flight, age)
     if wait < inf:
-        consider(flight, age + wait, LOOK, NO_BALL)
+        time, low = later(float(flight["time"]), float(flight["low"]), age + max(wait, 0.0))
+        flight["file_time"] = time
+        flight["file_low"] = low
 
 
 def predict_relations(

@@ -15,13 +15,16 @@ from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
-from carom.world.kernels.continuous.bins import leash
+from carom.world.kernels.continuous.bins import stretch_of
 from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at, place_after
 from carom.world.kernels.continuous.instants import is_before, later
 from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.step.narrow import approaches
 from carom.world.kernels.step.relations import find_relation
+
+#: In place of a column or line: there was none.
+NO_CELL = -1 << 40
 
 
 def predict_balls(
@@ -42,21 +45,52 @@ def predict_balls(
             if j != i and (all_balls or j > i or flights[j]["kind"] != FLYING):
                 predict_pair(state, balls, flights, relations, i, j)
         return
+    predict_balls_beyond(state, balls, heads, flights, relations, i, NO_CELL, NO_CELL, all_balls)
+
+
+def predict_balls_beyond(
+    state: StateRow,
+    balls: Table[BallRow],
+    heads: Table[int],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    i: int,
+    column: int,
+    line: int,
+    all_balls: bool,
+) -> None:
+    """The same for balls that were not near the cell at `column` and `line` of the ball's level, where it was filed.
+
+    Balls of other levels are all asked. Who is near whom is the same for both within a level: so of two that come near
+    each other the one that is filed anew asks.
+    """
     flight = flights[i]
-    reach = float(balls[i]["radius"]) + leash(state, flight)
-    x, y = float(flight["bin_x"]) - float(state["bin_left"]), float(flight["bin_y"]) - float(state["bin_bottom"])
-    levels, mask = int(state["bin_levels"]), int(state["bin_mask"])
+    levels, own = int(state["bin_levels"]), int(flight["level"])
     level = 0
     while levels >> level:
         if (levels >> level) & 1:
-            inverse_side = inverse_side_of(float(state["bin_side"]), level)
-            half = reach + BIN_REACH / inverse_side
-            left, right = cell_of(x - half, inverse_side), cell_of(x + half, inverse_side)
-            bottom, top = cell_of(y - half, inverse_side), cell_of(y + half, inverse_side)
-            if (right - left + 1) * (top - bottom + 1) > mask:
-                left, right, bottom, top = 0, mask, 0, 0
-            predict_cells(state, balls, heads, flights, relations, i, level, left, right, bottom, top, all_balls)
+            if level == own:
+                x, y = int(flight["column"]), int(flight["line"])
+                box = (x - 1, x + 1, y - 1, y + 1)
+                predict_cells(state, balls, heads, flights, relations, i, level, box, column, line, all_balls)
+            else:
+                box = cells_near(state, balls[i], flight, level)
+                predict_cells(state, balls, heads, flights, relations, i, level, box, NO_CELL, NO_CELL, all_balls)
         level += 1
+
+
+def cells_near(state: StateRow, ball: BallRow, flight: FlightRow, level: int) -> tuple[int, int, int, int]:
+    """The cells of another level, from left to right and bottom to top, under which a ball's partners may be filed."""
+    inverse_side = inverse_side_of(float(state["bin_side"]), level)
+    side = float(state["bin_side"]) / float(1 << int(flight["level"]))
+    reach = float(ball["radius"]) + BIN_REACH / inverse_side
+    begin, end = stretch_of(int(flight["column"]), side)
+    left, right = cell_of(begin - reach, inverse_side), cell_of(end + reach, inverse_side)
+    begin, end = stretch_of(int(flight["line"]), side)
+    bottom, top = cell_of(begin - reach, inverse_side), cell_of(end + reach, inverse_side)
+    if (right - left + 1) * (top - bottom + 1) > state["bin_mask"]:
+        return 0, int(state["bin_mask"]), 0, 0
+    return left, right, bottom, top
 
 
 def predict_cells(
@@ -67,19 +101,25 @@ def predict_cells(
     relations: Table[RelationRow],
     i: int,
     level: int,
-    left: int,
-    right: int,
-    bottom: int,
-    top: int,
+    box: tuple[int, int, int, int],
+    column: int,
+    line: int,
     all_balls: bool,
 ) -> None:
-    """Foresee impacts with the balls of a level that are filed under cells from `left`, `bottom` to `right`, `top`."""
+    """Foresee impacts with the balls of a level that are filed under the cells of a box (left, right, bottom, top).
+
+    But for those around the cell at `column` and `line`, which need not be asked.
+    """
     flight = flights[i]
+    left, right, bottom, top = box
     stride, mask = int(state["bin_stride"]), int(state["bin_mask"])
     tests = 0
-    for line in range(bottom, top + 1):
-        for column in range(left, right + 1):
-            j = row_of(heads[(column + stride * line + level) & mask])
+    for row in range(bottom, top + 1):
+        known = -1 <= row - line <= 1
+        for place in range(left, right + 1):
+            if known and -1 <= place - column <= 1:
+                continue
+            j = row_of(heads[(place + stride * row + level) & mask])
             while j != NO_BALL:
                 partner = flights[j]
                 wanted = all_balls or j > i or partner["kind"] != FLYING

@@ -15,15 +15,56 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
+from carom.rows.relation import RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
-from carom.world.kernels.continuous.flight import consider, event_age, path_at, time_to_go
+from carom.rows.tables import Table
+from carom.world.kernels.continuous.flight import consider, event_age, path_at, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.predict_sensors import predict_entry
+from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion, reach_of
+from carom.world.kernels.step.relations import is_related
 
 
-def predict_mover(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow, row: int, age: float) -> None:
-    """Foresee the touch of a ball with a shape that moves, from an age of the ball's flight on."""
+def predict_movers(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    low: int,
+    high: int,
+    begin: float,
+    end: float,
+) -> None:
+    """Foresee touches with those of the shapes `members[low:high]` that move, between two ages of a ball's flight."""
+    left, bottom, right, top = -inf, -inf, inf, inf
+    if end < inf:
+        left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
+    radius = float(ball["radius"])
+    state["box_tests"] += high - low
+    for k in range(low, high):
+        row = row_of(members[k])
+        shape = shapes[row]
+        if not is_moving(shape) or is_related(relations, ball, row):
+            continue
+        if shape["velocity_x"] == 0.0 and shape["velocity_y"] == 0.0:
+            # It does not leave the circle about its pivot.
+            x, y, reach = float(shape["pivot_x"]), float(shape["pivot_y"]), (reach_of(shape) + radius) * INDEX_MARGIN
+            if x + reach < left or x - reach > right or y + reach < bottom or y - reach > top:
+                continue
+        predict_mover(state, ball, flight, shape, row, begin, end)
+
+
+def predict_mover(
+    state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow, row: int, age: float, last: float
+) -> None:
+    """Foresee the touch of a ball with a shape that moves, from an age of the ball's flight on.
+
+    What comes after the age `last` need not be found.
+    """
     if not may_collide(ball, shape):
         return
     motion_age = age_of_motion(shape, flight)
@@ -42,7 +83,7 @@ def predict_mover(state: StateRow, ball: BallRow, flight: FlightRow, shape: Shap
             predict_entry(ball, flight, shape, row, age)
     for _ in range(MOVER_LOOKS):
         start = number * length
-        if begin + start >= event_age(flight):
+        if begin + start >= min(event_age(flight), last):
             return
         away = seen_from_pivot(shape, path, shape_begin, start)
         clear = time_until_near(away, reach, length)

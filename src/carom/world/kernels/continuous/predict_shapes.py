@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import copysign, inf, sqrt
 
-from carom.constants import FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
+from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
 from carom.geometry.path import Path, place_on
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
@@ -16,17 +16,17 @@ from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
-from carom.rows.relation import NO_RELATION, RelationRow
+from carom.rows.relation import RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.instants import later
-from carom.world.kernels.continuous.predict_movers import predict_mover
+from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.step.relations import is_of_balls
+from carom.world.kernels.step.relations import is_related
 
 
 def predict_shapes(
@@ -42,7 +42,7 @@ def predict_shapes(
     age: float,
 ) -> None:
     """Foresee the first impact with a shape from an age of a flight on; a ball that sleeps waits for what moves."""
-    fixed, count = int(state["fixed"]), int(state["shapes"])
+    fixed = int(state["fixed"])
     moves = flight["kind"] == FLYING and (
         ball["vx"] != 0.0 or ball["vy"] != 0.0 or flight["ax"] != 0.0 or flight["ay"] != 0.0
     )
@@ -50,12 +50,37 @@ def predict_shapes(
         if fixed <= FEW_SHAPES or state["broad_phase"] != GRID or float(index[FIXED]["side"]) == inf:
             predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, inf)
         else:
-            predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age)
-        predict_members(state, ball, flight, shapes, order, relations, fixed, count, age, inf)
-    for k in range(fixed, count):
-        row = row_of(order[k])
-        if is_moving(shapes[row]) and not is_related(relations, ball, row):
-            predict_mover(state, ball, flight, shapes[row], row, age)
+            predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age, False)
+    if fixed < state["shapes"]:
+        predict_kinematic(state, ball, flight, shapes, index[MOVING], cells, members, relations, age, moves)
+
+
+def predict_kinematic(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    entry: IndexRow,
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    age: float,
+    moves: bool,
+) -> None:
+    """The same for the kinematic shapes: first those at rest, if the ball moves, and then those that move."""
+    wide_begin, wide_end = int(entry["wide_begin"]), int(entry["wide_end"])
+    if moves:
+        predict_members(state, ball, flight, shapes, members, relations, wide_begin, wide_end, age, inf)
+        if entry["resting"] > 0:
+            predict_on_way(state, ball, flight, shapes, entry, cells, members, relations, age, False)
+    predict_movers(state, ball, flight, shapes, members, relations, wide_begin, wide_end, age, inf)
+    if entry["moving"] > 0:
+        if moves:
+            predict_on_way(state, ball, flight, shapes, entry, cells, members, relations, age, True)
+        else:
+            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+            begin, end = cell_span(cells, cell)
+            predict_movers(state, ball, flight, shapes, members, relations, begin, end, age, inf)
 
 
 def predict_on_way(
@@ -68,8 +93,12 @@ def predict_on_way(
     members: Table[int],
     relations: Table[RelationRow],
     age: float,
+    moving: bool,
 ) -> None:
-    """Foresee the first impact with a static shape near the way of a ball, cell by cell, and a look where that ends."""
+    """Foresee the first impact with a shape near the way of a ball, cell by cell, and a look where that ends.
+
+    With one at rest, or, where `moving`, with one that moves.
+    """
     path = path_of(ball, flight)
     side = float(entry["side"])
     left, bottom = float(entry["left"]), float(entry["bottom"])
@@ -77,7 +106,7 @@ def predict_on_way(
     _x, _y, begin_vx, begin_vy, gx, gy = path
     pull = sqrt(gx * gx + gy * gy)
     begin = age
-    for _ in range(FLIGHT_SLICES):
+    for _ in range(FLIGHT_SLICES if state["binned"] == 0 else CROWD_SLICES):
         x, y = place_on(path, begin)
         if not (left <= x <= right and bottom <= y <= top):
             begin = time_into_box(path, begin, left, bottom, right, top)
@@ -87,7 +116,7 @@ def predict_on_way(
         end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, side)
         if not end > begin:
             return
-        predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end)
+        predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
         begin = end
     consider(flight, begin, LOOK, NO_BALL)
 
@@ -146,8 +175,9 @@ def predict_slice(
     relations: Table[RelationRow],
     begin: float,
     end: float,
+    moving: bool,
 ) -> None:
-    """Foresee impacts with the static shapes near a slice of a way that is no wider than a cell."""
+    """Foresee impacts with shapes at rest, or those that move, near a slice of a way that is no wider than a cell."""
     left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
     first = locate(state, entry, cells, left, bottom)
     second = locate(state, entry, cells, right, bottom)
@@ -164,7 +194,10 @@ def predict_slice(
             cell = fourth if fourth != first and fourth != second and fourth != third else -1
         if cell >= 0:
             low, high = cell_span(cells, cell)
-            predict_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
+            if moving:
+                predict_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
+            else:
+                predict_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
 
 
 def predict_members(
@@ -222,13 +255,3 @@ def consider_shape(flight: FlightRow, shapes: Table[ShapeRow], age: float, row: 
                 flight["partner"] = row
             return
     consider(flight, age, HIT_SHAPE, row)
-
-
-def is_related(relations: Table[RelationRow], ball: BallRow, row: int) -> bool:
-    """True if a ball passes a shape, is inside it as a sensor, or is held by it: no impact with it is to come."""
-    place = int(ball["relation"])
-    while place != NO_RELATION:
-        if relations[place]["other"] == row and not is_of_balls(int(relations[place]["kind"])):
-            return True
-        place = int(relations[place]["next"])
-    return False

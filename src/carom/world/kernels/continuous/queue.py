@@ -18,12 +18,12 @@ def row_of(number: int) -> int:
 def is_sooner(flights: Table[FlightRow], first: int, second: int) -> bool:
     """True if the event of ball `first` is to be dealt with before that of ball `second`."""
     one, other = flights[first], flights[second]
-    if one["event_time"] != other["event_time"]:
-        return bool(one["event_time"] < other["event_time"])
-    if one["event_low"] != other["event_low"]:
-        return bool(one["event_low"] < other["event_low"])
-    if one["event_key"] != other["event_key"]:
-        return bool(one["event_key"] < other["event_key"])
+    if one["due_time"] != other["due_time"]:
+        return bool(one["due_time"] < other["due_time"])
+    if one["due_low"] != other["due_low"]:
+        return bool(one["due_low"] < other["due_low"])
+    if one["due_key"] != other["due_key"]:
+        return bool(one["due_key"] < other["due_key"])
     return first < second
 
 

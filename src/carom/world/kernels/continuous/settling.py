@@ -57,7 +57,6 @@ def settle(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -77,7 +76,7 @@ def settle(
     count = collect(balls, flights, relations, bodies, first, second)
     for k in range(count):
         i = row_of(bodies[k]["ball"])
-        begin_now(state, balls, shapes, order, index, cells, members, flights, relations, i)
+        begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
         let_fly(state, balls[i], flights[i])
         fall_freely(state, balls[i], flights[i])
         fill_body(state, balls[i], flights[i], bodies[k])
@@ -112,7 +111,6 @@ def begin_now(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     index: Table[IndexRow],
     cells: Table[CellRow],
     members: Table[int],
@@ -122,7 +120,7 @@ def begin_now(
 ) -> None:
     """Begin a new flight of a ball now, if none has begun."""
     if flights[i]["time"] != state["now"] or flights[i]["low"] != state["now_low"]:
-        arrive(state, balls, shapes, order, index, cells, members, flights, relations, i)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, i)
 
 
 def let_loose(

@@ -5,12 +5,14 @@ Static shapes and their index stay in those tables: they are the same in all cop
 
 from __future__ import annotations
 
+from carom.constants import FEW_SHAPES
 from carom.rows.copies import LayoutRow
 from carom.rows.index import IndexRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import CONTINUOUS, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED
+from carom.world.kernels.continuous.movers import list_movers
 
 #: The tables that a copy is carried into, word by word: state, balls, saved, flights, shapes, relations.
 WordTables = tuple[Table[int], Table[int], Table[int], Table[int], Table[int], Table[int]]
@@ -24,6 +26,7 @@ def take_copy(
     state: StateRow,
     words: WordTables,
     shapes: Table[ShapeRow],
+    order: Table[int],
     index: Table[IndexRow],
     queue: Table[int],
     moving: Table[int],
@@ -35,9 +38,11 @@ def take_copy(
     state["index_stale"] = 0 if index[FIXED]["reach"] == state["reach"] else 1
     state["moving_stale"] = 1
     state["hits"] = 0
-    # The bins that balls in flight are filed in are not carried.
-    if state["binned"] != 0:
-        state["foreseen"] = 0
+    if state["detection"] == CONTINUOUS:
+        list_movers(state, shapes, order)
+        # The bins that balls are filed in, and the regions of many kinematic shapes, are not carried.
+        if state["binned"] != 0 or len(moving) > FEW_SHAPES:
+            state["foreseen"] = 0
 
 
 def put_copy(

@@ -17,6 +17,7 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.shape_index import FIXED
 from carom.world.kernels.copies.carrying import WordTables, put_copy, take_copy
 
 
@@ -29,6 +30,7 @@ def step_copies(
     states: Table[StateRow],
     words: WordTables,
     shapes: Table[ShapeRow],
+    order: Table[int],
     index: Table[IndexRow],
     queue: Table[int],
     rows: tuple[Table[int], Table[int]],
@@ -49,6 +51,7 @@ def step_copies(
         states: The tables of the world in which a copy is stepped, and those below.
         words: These tables as words.
         shapes: Its shapes.
+        order: The order in which they are met.
         index: The index of its shapes.
         queue: The queue of its balls' events.
         rows: Which of the shapes each copy has of its own, and which have switches of its own.
@@ -64,7 +67,7 @@ def step_copies(
             if faults[copy] != DONE:
                 job["next"] += 1
                 continue
-            take_copy(layout, memory, marks, copy, state, words, shapes, index, queue, moving, switched)
+            take_copy(layout, memory, marks, copy, state, words, shapes, order, index, queue, moving, switched)
             state["dt"] = job["dt"]
             state["steps_left"] = job["steps"]
             job["place"] = STEP
@@ -76,6 +79,8 @@ def step_copies(
                 state["steps_left"] = 0
             if status != DONE:
                 faults[copy] = status
+                # What was undone may have left another index of the kinematic shapes.
+                index[FIXED]["reach"] = -1.0
             job["place"] = PUT
         if job["place"] == PUT:
             if not put_copy(layout, memory, marks, copy, state, words, shapes, queue, moving, switched):

@@ -120,7 +120,7 @@ def begin_substep(
         if move_shapes(state, balls, shapes, order, substep_length(state)):
             state["moving_stale"] = 1
         state["stage_entered"] = 1
-        if not shapes_are_sound(state, shapes, order):
+        if not shapes_are_sound(shapes, order, int(state["fixed"]), int(state["shapes"])):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
     if not rebuild_index(state, balls, shapes, order, shape_index):
@@ -140,6 +140,20 @@ def rebuild_index(
 ) -> bool:
     """True when the index of the shapes is right again; False where it has no room."""
     index, cells, members = shape_index
+    if not rebuild_static(state, balls, shapes, order, shape_index):
+        return False
+    if state["moving_stale"] != 0:
+        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+            return False
+        state["moving_stale"] = 0
+    return True
+
+
+def rebuild_static(
+    state: StateRow, balls: Table[BallRow], shapes: Table[ShapeRow], order: Table[int], shape_index: ShapeIndex
+) -> bool:
+    """True when the index of the static shapes is right again; False where it has no room."""
+    index, cells, members = shape_index
     if state["index_stale"] == 0 and state["taken"] + state["put"] > 0:
         state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else 1
     state["taken"] = 0
@@ -150,10 +164,6 @@ def rebuild_index(
         state["index_stale"] = 0
         # The kinematic index begins where the static one ends.
         state["moving_stale"] = 1
-    if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
-            return False
-        state["moving_stale"] = 0
     return True
 
 

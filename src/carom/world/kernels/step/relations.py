@@ -119,3 +119,13 @@ def drop_all(state: StateRow, relations: Table[RelationRow], ball: BallRow, kind
         else:
             before = place
             place = int(relations[place]["next"])
+
+
+def is_related(relations: Table[RelationRow], ball: BallRow, row: int) -> bool:
+    """True if a ball passes a shape, is inside it as a sensor, or is held by it: no impact with it is to come."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["other"] == row and not is_of_balls(int(relations[place]["kind"])):
+            return True
+        place = int(relations[place]["next"])
+    return False

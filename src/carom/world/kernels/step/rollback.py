@@ -47,10 +47,10 @@ def is_in_reach(shape: ShapeRow) -> bool:
     return low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))
 
 
-def shapes_are_sound(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
-    """True if all kinematic shapes are where numbers reach."""
+def shapes_are_sound(shapes: Table[ShapeRow], order: Table[int], begin: int, end: int) -> bool:
+    """True if the shapes `order[begin:end]` are where numbers reach."""
     sound = True
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(begin, end):
         sound = sound and is_in_reach(shapes[order[k]])
     return sound
 

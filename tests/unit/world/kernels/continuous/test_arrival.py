@@ -10,14 +10,14 @@ from carom.rows.relation import LASTING, PASSING
 from carom.world.kernels.continuous.arrival import arrive, fly_on, keep_course, note_passing
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
-from tests.kernel_calls import film_tables, in_flight, look_at
+from tests.kernel_calls import in_flight, look_at, near_tables
 from tests.worlds import continuous_world
 
 
 def come(arrays: Arrays, seconds: float, i: int = 0) -> None:
     """Let a ball arrive so many seconds after the step began."""
     look_at(arrays, seconds)
-    tables = *film_tables(arrays), arrays.flights, arrays.relations
+    tables = *near_tables(arrays), arrays.flights, arrays.relations
     arrive(arrays.states[0], arrays.balls.rows, *tables, i)
 
 
@@ -96,6 +96,6 @@ def test_a_ball_that_slides_over_a_joint_is_handed_on_over_a_small_step(step: fl
     state, ball, flight = arrays.states[0], arrays.balls.rows[0], arrays.flights[0]
     add_relation(state, arrays.relations, ball, 0, LASTING, 0)
     ball["x"] = 0.5
-    rows = arrays.shapes.rows, arrays.order, 0, 2, arrays.relations
-    note_passing(state, ball, flight, 0, *rows, 0.0, 1.5, -1.0, 1.0)
+    for row in range(2):
+        note_passing(state, ball, flight, 0, arrays.shapes.rows, row, arrays.relations, 0.0, 1.5, -1.0, 1.0)
     assert find_relation(arrays.relations, ball, PASSING, 1) == (step > 1e-3)

@@ -1,15 +1,28 @@
 """Cells of balls in flight: each ball stands in one, and whoever touches it is filed near by."""
 
 from itertools import chain, combinations
-from math import hypot
+from math import hypot, inf, nan, sqrt
 
 import numpy as np
 import pytest
 
 from carom import World
+from carom.constants import CELL_CLAMP
 from carom.rows.flight import NO_BALL
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.bins import bin_number, file_ball, leash, may_meet, open_bins, unfile_ball
+from carom.world.kernels.continuous.bins import (
+    bin_number,
+    cell_at,
+    file_ball,
+    may_meet,
+    open_bins,
+    stretch_of,
+    time_filed,
+    time_within,
+    unfile_ball,
+)
+from carom.world.kernels.continuous.flight import place_after
+from carom.world.kernels.continuous.predict_balls import cells_near
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, look_at
 
@@ -45,36 +58,90 @@ def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(size
         assert sorted(chain(*cells)) == list(range(60))
         for ball in range(60):
             level = int(flights[ball]["level"])
-            cell = bin_number(state, float(flights[ball]["bin_x"]), float(flights[ball]["bin_y"]), level)
-            assert ball in cells[cell]
+            column, line = cell_at(state, float(balls[ball]["x"]), float(balls[ball]["y"]), level)
+            assert (flights[ball]["column"], flights[ball]["line"]) == (column, line)
+            assert ball in cells[bin_number(state, column, line, level)]
             assert (state["bin_levels"] >> level) & 1
-            # Cells are at least twice as wide as the balls of their level, and a leash is a part of that.
-            width = float(state["bin_side"]) / 2**level
-            assert width > 4 * float(balls[ball]["radius"])
-            assert leash(state, flights[ball]) == pytest.approx(width / 8)
+            # Cells are at least twice as wide as the balls of their level.
+            assert float(state["bin_side"]) / 2**level > 4 * float(balls[ball]["radius"])
         unfile_ball(flights, heads, step)
         assert step not in chain(*filed(arrays, heads))
         balls[step]["x"] += 3.0
         file_ball(state, balls, flights, heads, step, 0.0)
 
 
+def allowed(arrays: Arrays, i: int) -> list[tuple[float, float]]:
+    """Where a ball may be across and along as long as it stays filed as it is, from the corner of all cells."""
+    flight = arrays.flights[i]
+    side = float(arrays.states[0]["bin_side"]) / 2 ** int(flight["level"])
+    return [stretch_of(int(flight[name]), side) for name in ("column", "line")]
+
+
 @pytest.mark.parametrize("sizes", [(0.5, 0.5), (0.01, 3.0)])
-def test_balls_that_touch_are_filed_within_reach_of_each_other(sizes: tuple[float, float]) -> None:
+def test_balls_that_touch_are_filed_in_neighbouring_cells_or_where_the_other_looks(sizes: tuple[float, float]) -> None:
     arrays = in_flight(crowd(2, sizes), 1.0)
     state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
     assert open_bins(state, balls, flights, heads)
     random, seen = np.random.default_rng(3), 0
-    for i in range(60):
-        angle, way = random.uniform(0, 6.3), random.uniform(0, 1) * leash(state, flights[i])
-        balls[i]["x"] += way * np.cos(angle)
-        balls[i]["y"] += way * np.sin(angle)
-    for i, j in combinations(range(60), 2):
-        reach = float(balls[i]["radius"] + balls[j]["radius"])
-        if hypot(balls[i]["x"] - balls[j]["x"], balls[i]["y"] - balls[j]["y"]) <= reach:
-            apart = [abs(flights[i][name] - flights[j][name]) for name in ("bin_x", "bin_y")]
-            assert max(apart) <= reach + leash(state, flights[i]) + leash(state, flights[j])
+    for _ in range(5):
+        for i in range(60):
+            (left, right), (bottom, top) = allowed(arrays, i)
+            balls[i]["x"] = state["bin_left"] + random.choice((left, right, random.uniform(left, right)))
+            balls[i]["y"] = state["bin_bottom"] + random.choice((bottom, top, random.uniform(bottom, top)))
+        for i, j in combinations(range(60), 2):
+            reach = float(balls[i]["radius"] + balls[j]["radius"])
+            if hypot(balls[i]["x"] - balls[j]["x"], balls[i]["y"] - balls[j]["y"]) > reach:
+                continue
             seen += 1
-    assert seen > 10
+            one, other = flights[i], flights[j]
+            if one["level"] == other["level"]:
+                assert max(abs(int(one[name]) - int(other[name])) for name in ("column", "line")) <= 1
+                continue
+            for ball, flight, partner in ((balls[i], one, other), (balls[j], other, one)):
+                left, right, bottom, top = cells_near(state, ball, flight, int(partner["level"]))
+                # Too many cells are asked by their numbers, all of them.
+                if (left, right, bottom, top) != (0, state["bin_mask"], 0, 0):
+                    assert left <= partner["column"] <= right
+                    assert bottom <= partner["line"] <= top
+    assert seen > 30
+
+
+@pytest.mark.parametrize("pull", [0.0, 3.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_ball_is_where_it_is_filed_until_it_is_filed_anew(seed: int, pull: float) -> None:
+    arrays = in_flight(crowd(seed, (0.1, 0.5)), 1.0)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    random = np.random.default_rng(seed)
+    for i in range(60):
+        balls[i]["vx"], balls[i]["vy"] = random.normal(0, 4, 2)
+        flights[i]["ax"], flights[i]["ay"] = random.normal(0, pull, 2) if pull else (0, 0)
+    assert open_bins(state, balls, flights, heads)
+    for i in range(60):
+        wait = time_filed(state, balls[i], flights[i], 0.0)
+        assert wait > 0.0
+        for share in np.linspace(0.0, 1.0 - 1e-12, 40):
+            x, y, _vx, _vy = place_after(balls[i], flights[i], share * wait)
+            for place, (low, high) in zip(
+                (x - state["bin_left"], y - state["bin_bottom"]), allowed(arrays, i), strict=True
+            ):
+                assert low - 1e-9 <= place <= high + 1e-9
+        if pull == 0.0:
+            # A straight one is there to the last.
+            assert time_filed(state, balls[i], flights[i], wait * (1 + 1e-9)) == -1.0
+
+
+def test_the_last_cells_have_no_end_and_what_stands_stays() -> None:
+    last = int(CELL_CLAMP)
+    assert stretch_of(last, 2.0)[1] == inf
+    assert stretch_of(-last, 2.0)[0] == -inf
+    assert stretch_of(3, 2.0) == (5.5, 8.5)
+    assert time_within(7.0, 0.0, 0.0, (5.5, 8.5)) == inf
+    assert time_within(7.0, 1.0, 0.0, (5.5, 8.5)) == 1.5
+    assert time_within(7.0, -1.0, 0.0, (5.5, inf)) == 1.5
+    assert time_within(7.0, 1.0, 0.0, (5.5, inf)) == inf
+    assert time_within(9.0, -1.0, 0.0, (5.5, 8.5)) == -1.0
+    assert time_within(7.0, 0.0, 2.0, (5.5, 8.5)) == pytest.approx(sqrt(1.5))
+    assert time_within(nan, 1.0, 0.0, (5.5, 8.5)) != 0.0
 
 
 def test_masks_may_exclude_every_meeting_of_balls() -> None:
@@ -93,8 +160,8 @@ def test_a_ball_is_filed_where_it_is_at_an_age_of_its_flight() -> None:
     balls["vx"][7], x = 3.0, float(balls["x"][7])
     look_at(arrays, 0.5)
     assert open_bins(state, balls, flights, heads)
-    assert flights["bin_x"][7] == x + 1.5
+    assert flights["column"][7] == cell_at(state, x + 1.5, 0.0, int(flights["level"][7]))[0]
     unfile_ball(flights, heads, 7)
     file_ball(state, balls, flights, heads, 7, 2.0)
-    assert flights["bin_x"][7] == x + 6.0
+    assert flights["column"][7] == cell_at(state, x + 6.0, 0.0, int(flights["level"][7]))[0]
     assert balls["x"][7] == x

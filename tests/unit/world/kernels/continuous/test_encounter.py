@@ -20,7 +20,7 @@ from carom.world.kernels.continuous.encounter import (
 )
 from carom.world.kernels.step.relations import find_relation
 from carom.world.tables import Arrays
-from tests.kernel_calls import in_flight, shape_index
+from tests.kernel_calls import in_flight, near_tables, shape_index
 from tests.worlds import continuous_world
 
 
@@ -32,7 +32,7 @@ def met(arrays: Arrays) -> bool:
 
 def touched(arrays: Arrays, row: int = 0) -> None:
     """Let the first ball touch a shape."""
-    tables = row, arrays.order, *shape_index(arrays), arrays.hits.view(HIT_ROW), arrays.relations
+    tables = row, *shape_index(arrays), arrays.hits.view(HIT_ROW), arrays.relations
     impact_with_shape(arrays.states[0], arrays.balls.rows[0], arrays.flights[0], 0, arrays.shapes.rows, *tables)
 
 
@@ -264,7 +264,7 @@ def test_a_tired_ball_is_stopped_between_two_shapes_that_lead_it_back_and_forth(
     floor, lid = Segment((-9, -1), (9, -1), **moves), Segment((-9 * c - s, -9 * s + c), (9 * c - s, 9 * s + c), **moves)
     ball = Ball((0, 0), 1, velocity=(velocity[0] - 1, velocity[1] - 0.5))
     arrays = in_flight(continuous_world(floor, lid, ball))
-    tables = arrays.shapes.rows, arrays.order, *shape_index(arrays)
+    tables = near_tables(arrays)
     row = arrays.balls.rows[0]
     row["vy"] = velocity[1]  # as the floor has left it
     stop_between(arrays.states[0], row, arrays.flights[0], *tables, 0, 0.0, 1.0)

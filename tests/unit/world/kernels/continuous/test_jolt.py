@@ -28,7 +28,7 @@ from tests.heaps import (
     settled,
     velocities,
 )
-from tests.kernel_calls import film_tables, look_at
+from tests.kernel_calls import look_at, near_tables
 from tests.worlds import continuous_world
 
 LONG = 60
@@ -52,7 +52,7 @@ def later(arrays: Arrays, share: float) -> Arrays:
 
 def begin(arrays: Arrays, i: int) -> None:
     """Let a ball begin a flight now."""
-    tables = *film_tables(arrays), arrays.flights, arrays.relations
+    tables = *near_tables(arrays), arrays.flights, arrays.relations
     begin_now(arrays.states[0], arrays.balls.rows, *tables, i)
 
 
@@ -218,7 +218,7 @@ def test_who_is_wanted_begins_a_flight_and_lists_its_neighbours() -> None:
     bodies["ball"][0], bodies["core"][0] = 4, WANTED
     arrays.flights["body"][4] = 1
     bodies["x"][0] = 4.0
-    tables = *film_tables(arrays), arrays.flights, arrays.relations, bodies
+    tables = *near_tables(arrays), arrays.flights, arrays.relations, bodies
     assert widen(arrays.states[0], arrays.balls.rows, *tables, 1) == 3
     assert sorted(bodies["ball"][:3].tolist()) == [3, 4, 5]
     assert bodies["core"][:3].tolist() == [1, 0, 0]

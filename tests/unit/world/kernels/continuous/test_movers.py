@@ -12,12 +12,13 @@ from carom.world.kernels.continuous.movers import (
     begin_motions,
     change_movers,
     foresee_changes,
-    is_changed,
+    list_movers,
     orientation_at,
     show_movers,
     take_back,
     time_to_change,
     time_to_stop,
+    unlist_resting,
 )
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, look_at, prepared
@@ -149,10 +150,32 @@ def test_a_hand_is_never_shown_beyond_its_stop() -> None:
     assert orientation_at(row, -9.0) == -1.0
 
 
-def test_a_spin_that_was_changed_through_a_view_is_seen() -> None:
-    arrays = prepared(continuous_world(hand(), Segment((5, 5), (6, 6))))
+def test_those_that_move_or_are_sent_are_listed_until_they_rest() -> None:
+    rests, turns, travels, sent = hand(), hand(angular_velocity=1.0, turn_limits=(-1, 1)), hand(velocity=(1, 0)), hand()
+    world = continuous_world(Segment((5, 5), (6, 6)), rests, turns, travels, sent)
+    sent.move_to((1, 0), dt=0.5)  # where it is: it does not move on the way
+    arrays = prepared(world)
     tables = arrays.states[0], arrays.shapes.rows, arrays.order
+
+    def listed() -> list[int]:
+        return arrays.order[5 : 5 + arrays.states[0]["movers"]].tolist()
+
     begin_motions(*tables)
-    assert not is_changed(*tables)
-    arrays.shapes.rows[0]["angular_velocity"] = 1.0
-    assert is_changed(*tables)
+    assert listed() == [2, 3, 4]
+    # One that rests without a mark of it is taken out; who begins to move is found by those who look at all.
+    arrays.shapes.rows[2]["spin"] = 0.0
+    arrays.shapes.rows[1]["spin"] = 1.0
+    unlist_resting(*tables)
+    assert listed() == [3, 4]
+    list_movers(*tables)
+    assert listed() == [1, 3, 4]
+    assert arrays.order[:5].tolist() == [0, 1, 2, 3, 4]
+
+
+def test_a_world_that_looks_at_its_tables_anew_knows_what_moves() -> None:
+    world = clock()
+    for seconds, moving in ((0.125, [0, 1, 2, 3, 4]), (1.75, [0, 2, 4]), (2.0, [0, 4]), (2.0, [0])):
+        world.step(seconds)
+        world._forget_block()
+        world._arrays.prepare()
+        assert world._arrays.order[5 : 5 + world._arrays.states[0]["movers"]].tolist() == moving

@@ -9,9 +9,16 @@ from carom import World
 from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, HIT_BALL, NOTHING
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.bins import leash, open_bins
-from carom.world.kernels.continuous.flight import event_age, place_after, time_to_go
-from carom.world.kernels.continuous.predict_balls import may_near, only_slide, pair_begin, predict_balls, predict_pair
+from carom.world.kernels.continuous.bins import file_ball, open_bins, time_filed, unfile_ball
+from carom.world.kernels.continuous.flight import event_age, place_after
+from carom.world.kernels.continuous.predict_balls import (
+    may_near,
+    only_slide,
+    pair_begin,
+    predict_balls,
+    predict_balls_beyond,
+    predict_pair,
+)
 from carom.world.tables import Arrays
 from tests.kernel_calls import foreseen, in_flight, look_at
 
@@ -100,10 +107,12 @@ def test_cells_find_what_asking_everyone_finds_to_the_bit(seed: int) -> None:
     heads = np.zeros(4096, "i4")
     assert open_bins(state, arrays.balls.rows, flights, heads)
     for i in range(COUNT):
-        row, flight = arrays.balls.rows[i], flights[i]
-        # No farther than a ball may go before it is filed anew.
-        speed, pull = np.hypot(row["vx"], row["vy"]), np.hypot(flight["ax"], flight["ay"])
-        until = time_to_go(float(speed), float(pull), leash(state, flight)) if flight["kind"] != ASLEEP else inf
+        # No farther than both balls may go before they are filed anew.
+        both = [i] if alone[i][3] < 0 else [i, alone[i][3]]
+        until = min(
+            inf if flights[k]["kind"] == ASLEEP else time_filed(state, arrays.balls.rows[k], flights[k], 0.0)
+            for k in both
+        )
         found = foresee(arrays, i, heads)
         if alone[i][1] < until:
             seen += 1
@@ -111,6 +120,28 @@ def test_cells_find_what_asking_everyone_finds_to_the_bit(seed: int) -> None:
         else:
             assert found[1] >= alone[i][1]
     assert seen > 5
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_who_is_filed_anew_asks_those_who_were_not_near_before(seed: int) -> None:
+    arrays = crowd(seed, sleepers=0)
+    state, flights, balls, heads = arrays.states[0], arrays.flights, arrays.balls.rows, np.zeros(4096, "i4")
+    assert open_bins(state, balls, flights, heads)
+    for i in range(COUNT):
+        column, line = int(flights[i]["column"]), int(flights[i]["line"])
+        before = foresee(arrays, i, heads)
+        unfile_ball(flights, heads, i)
+        file_ball(state, balls, flights, heads, i, SPAN)
+        everyone = foresee(arrays, i, heads)
+        flights[i]["event"] = NOTHING
+        tables = heads, flights, arrays.relations
+        predict_balls_beyond(state, balls, *tables, i, column, line, True)
+        beyond = foreseen(arrays, i)
+        # Of those near it now, some were before: the first of both is the first of all.
+        assert min((before, everyone), key=lambda event: event[1]) == min((before, beyond), key=lambda event: event[1])
+        asked = int(state["box_tests"])
+        predict_balls_beyond(state, balls, *tables, i, int(flights[i]["column"]), int(flights[i]["line"]), True)
+        assert state["box_tests"] == asked
 
 
 def test_a_pair_is_looked_at_from_when_the_later_of_its_flights_began() -> None:

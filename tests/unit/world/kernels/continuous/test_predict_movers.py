@@ -44,7 +44,7 @@ def foreseen(arrays: Arrays, age: float) -> tuple[int, float, float]:
     state, ball, flight, shape = arrays.states[0], arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows[0]
     for _ in range(200):
         flight["event"] = NOTHING
-        predict_mover(state, ball, flight, shape, 0, age)
+        predict_mover(state, ball, flight, shape, 0, age, inf)
         if flight["event"] != LOOK:
             break
         assert event_age(flight) > age

@@ -14,13 +14,12 @@ from carom.world.kernels.continuous.predict_shapes import (
     consider_shape,
     crossings,
     is_entered_past_ends,
-    is_related,
     predict_members,
     predict_on_way,
     predict_shapes,
     time_into_box,
 )
-from carom.world.kernels.step.relations import add_relation
+from carom.world.kernels.step.relations import add_relation, is_related
 from carom.world.tables import Arrays
 from tests.kernel_calls import film_tables, foreseen, in_flight
 from tests.worlds import continuous_world
@@ -41,7 +40,7 @@ def on_way(arrays: Arrays, age: float) -> tuple[int, float, float, int]:
     for _ in range(500):
         flight["event"] = NOTHING
         rows = arrays.balls.rows[0], flight, arrays.shapes.rows, index[0][0], index[1], index[2], arrays.relations
-        predict_on_way(arrays.states[0], *rows, age)
+        predict_on_way(arrays.states[0], *rows, age, False)
         if flight["event"] != LOOK:
             break
         assert event_age(flight) > age

@@ -18,7 +18,7 @@ BALLS = 40
 def order_of(flights: Rows, ball: int) -> tuple[float, float, int, int]:
     """What a ball's place in the queue follows from."""
     row = flights[ball]
-    return float(row["event_time"]), float(row["event_low"]), int(row["event_key"]), ball
+    return float(row["due_time"]), float(row["due_low"]), int(row["due_key"]), ball
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -30,9 +30,9 @@ def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(
     for _ in range(600):
         ball = random.randrange(BALLS)
         if random.random() < 0.6:
-            flights[ball]["event_time"] = random.choice((1.0, 2.0, random.random()))
-            flights[ball]["event_low"] = random.choice((0.0, 1e-17, -1e-17))
-            flights[ball]["event_key"] = random.randrange(3)
+            flights[ball]["due_time"] = random.choice((1.0, 2.0, random.random()))
+            flights[ball]["due_low"] = random.choice((0.0, 1e-17, -1e-17))
+            flights[ball]["due_key"] = random.randrange(3)
             put_event(state, flights, queue, ball)
             waiting.add(ball)
         else:
@@ -53,7 +53,7 @@ def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(
 @pytest.mark.parametrize("seed", range(5))
 def test_the_order_in_which_balls_were_put_in_does_not_show(seed: int) -> None:
     random, flights = np.random.default_rng(seed), np.zeros(BALLS, FLIGHT)
-    flights["event_time"], flights["event_key"] = random.integers(0, 4, BALLS), random.integers(0, 2, BALLS)
+    flights["due_time"], flights["due_key"] = random.integers(0, 4, BALLS), random.integers(0, 2, BALLS)
     orders: list[list[int]] = []
     for _ in range(3):
         state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, "i4"), []
@@ -70,9 +70,9 @@ def test_the_order_in_which_balls_were_put_in_does_not_show(seed: int) -> None:
 @pytest.mark.parametrize(
     ("first", "second"),
     [
-        ({"event_time": 1.0, "event_low": 9.0, "event_key": 9}, {"event_time": 2.0}),
-        ({"event_time": 1.0, "event_low": -1e-17, "event_key": 9}, {"event_time": 1.0}),
-        ({"event_time": 1.0, "event_key": 3}, {"event_time": 1.0, "event_key": 4}),
+        ({"due_time": 1.0, "due_low": 9.0, "due_key": 9}, {"due_time": 2.0}),
+        ({"due_time": 1.0, "due_low": -1e-17, "due_key": 9}, {"due_time": 1.0}),
+        ({"due_time": 1.0, "due_key": 3}, {"due_time": 1.0, "due_key": 4}),
     ],
 )
 def test_the_instant_comes_first_and_then_the_key(first: dict[str, Any], second: dict[str, Any]) -> None:
@@ -83,9 +83,9 @@ def test_the_instant_comes_first_and_then_the_key(first: dict[str, Any], second:
                 flights[row][name] = value
         assert is_sooner(flights, one, other)
         assert not is_sooner(flights, other, one)
-        same = first.get("event_time") == second.get("event_time")
-        lows = first.get("event_low", 0.0), second.get("event_low", 0.0)
-        assert is_before(first["event_time"], lows[0], second["event_time"], lows[1]) == (not same or lows[0] < lows[1])
+        same = first.get("due_time") == second.get("due_time")
+        lows = first.get("due_low", 0.0), second.get("due_low", 0.0)
+        assert is_before(first["due_time"], lows[0], second["due_time"], lows[1]) == (not same or lows[0] < lows[1])
 
 
 def test_of_two_at_one_instant_with_one_key_the_lower_row_comes_first() -> None:

@@ -1,0 +1,85 @@
+"""Kinematic shapes of the continuous mode: a paddle in each of many rooms, and shapes that turn or travel far away."""
+
+from collections.abc import Callable
+from math import sqrt
+from statistics import median
+from time import process_time
+
+import numpy as np
+
+import carom
+from benchmarks.common import TURN, Figure
+from benchmarks.engines import CONTINUOUS
+
+TITLE = "Kinematic shapes, continuous: a paddle in each room, and shapes that are far away"
+STEP = 1.0 / 60.0
+SIDE = 3.0  # of a room
+ROOMS = 2048
+FAR = (1, 100, 10_000)
+#: What kinematic shapes do, as options of a segment.
+MOTIONS = {
+    "static": {},
+    "at rest": {"motion": "kinematic"},
+    "turning": {"motion": "kinematic", "angular_velocity": 2.0},
+    "travelling": {"motion": "kinematic", "velocity": (0.02, 0.01)},
+}
+
+
+def run(quick: bool) -> list[Figure]:
+    """Microseconds of a ball's step in its room, and of a step of twenty balls, by what the other shapes do."""
+    rooms = 64 if quick else ROOMS
+    figures = []
+    for motion in MOTIONS:
+        each = 1e6 * seconds_a_step(lambda motion=motion: rooms_of(motion, rooms), quick) / rooms
+        figures.append(Figure(f"{rooms:,} rooms, paddles {motion}", CONTINUOUS, each, "µs a ball and step"))
+    for motion in MOTIONS:
+        for count in FAR[:2] if quick else FAR:
+            each = 1e6 * seconds_a_step(lambda motion=motion, count=count: with_far(motion, count), quick)
+            figures.append(Figure(f"{count:,} shapes far away, {motion}", CONTINUOUS, each, "µs a step"))
+    return figures
+
+
+def seconds_a_step(make: Callable[[], carom.World], quick: bool) -> float:
+    """The processor's seconds of a step, the median of some turns."""
+    world = make()
+    world.run(2 * STEP, dt=STEP)
+    times = []
+    for _ in range(2 if quick else 5):
+        began = process_time()
+        for _ in range(TURN):
+            world.step(STEP)
+        times.append((process_time() - began) / TURN)
+    return median(times)
+
+
+def rooms_of(motion: str, rooms: int) -> carom.World:
+    """Square rooms beside each other, with a paddle and a ball in each."""
+    world = carom.World(detection="continuous")
+    across = round(sqrt(rooms))
+    lines = -(-rooms // across)
+    width, height = SIDE * across, SIDE * lines
+    world.add(*(carom.Segment((SIDE * k, 0.0), (SIDE * k, height)) for k in range(across + 1)))
+    world.add(*(carom.Segment((0.0, SIDE * k), (width, SIDE * k)) for k in range(lines + 1)))
+    corners = SIDE * np.array([(k % across, k // across) for k in range(rooms)])
+    world.add(*(paddle(x + 1.5, y + 1.5, motion) for x, y in corners.tolist()))
+    angle = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, rooms)
+    velocity = 2.0 * np.column_stack((np.cos(angle), np.sin(angle)))
+    world.add_balls(corners + 0.4, velocity, radius=0.2)
+    return world
+
+
+def with_far(motion: str, count: int) -> carom.World:
+    """A room with twenty balls, and shapes far from it."""
+    world = carom.World(detection="continuous")
+    corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
+    world.add(*(carom.Segment(corners[k - 1], corners[k]) for k in range(4)))
+    world.add(*(paddle(100.0 + 3.0 * (k % 100), 100.0 + 3.0 * (k // 100), motion) for k in range(count)))
+    places = [(1.0 + 2.0 * (k % 5), 1.0 + 2.0 * (k // 5)) for k in range(20)]
+    angle = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, 20)
+    world.add_balls(places, 3.0 * np.column_stack((np.cos(angle), np.sin(angle))), radius=0.3)
+    return world
+
+
+def paddle(x: float, y: float, motion: str) -> carom.Segment:
+    """A segment about (x, y)."""
+    return carom.Segment((x - 0.5, y), (x + 0.5, y), **MOTIONS[motion])
