@@ -66,7 +66,7 @@ def run(quick: bool) -> list[Figure]:
 
 
 def map_figures(quick: bool) -> list[Figure]:
-    """Microseconds of changing a map of 16,000 pieces, 2,000 bricks of four sides and four corners, with the next step."""
+    """Microseconds of changing a map of 16,000 pieces, four sides and four corners a brick, with the next step."""
     world = carom.World()
     world.add(*outlines.rectangle(-10, -10, 170, 100))
     world.add(carom.Ball((-5, -5), 0.2, velocity=(3, 1)))
