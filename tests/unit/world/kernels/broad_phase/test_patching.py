@@ -22,7 +22,8 @@ def field() -> carom.World:
         world.add((carom.Point((x, y)), carom.Circle((x, y), 0.4), carom.Segment((x, y), (x + 1, y + 0.5)))[k % 3])
     world.add(carom.Ball((-1, -1), RADIUS))
     prepare_index(world, RADIUS)
-    world._arrays.states[0]["index_stale"] = 0
+    state = world._arrays.states[0]
+    state["index_stale"], state["reach"] = 0, RADIUS
     return world
 
 
