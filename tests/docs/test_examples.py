@@ -21,6 +21,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "arc_room": lambda names, _: np.abs(np.subtract(names["momenta"](), names["before"]))[0] < 1e-12 < 1.0,
     "boundary_map": lambda names, _: len(names["sine"]) >= 2000 and np.ptp(names["sine"]) < 1e-9,
     "bowl": lambda names, printed: "less by 0.000000" in printed and 0 < len(names["run"].hits) < 60,
+    "breakout": lambda names, _: names["standing"] < 20 and names["score"] == 10 * (20 - names["standing"]),
     "common_tangents": lambda names, _: len(names["belt"]) == 6,
     "flipper": lambda names, _: np.allclose(names["speeds"], names["expected"], rtol=0.02),
     "galperin_pi": lambda _, printed: [line.split()[2] for line in printed.splitlines()] == ["3", "31", "314", "3141"],
@@ -42,6 +43,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
 LONG = {
     "boundary_map",
     "bowl",
+    "breakout",
     "layers",
     "galton_board",
     "maxwell_gas",

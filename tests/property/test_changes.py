@@ -63,6 +63,7 @@ def do(world: carom.World, what: str, place: tuple[float, float], which: int) ->
 
 def cells_of(arrays: Arrays) -> tuple[Any, list[list[int]]]:
     """Where the cells of the static shapes lie, and the members of each."""
+    arrays.settle()
     entry = arrays.index[FIXED]
     cells = arrays.cells[int(entry["cells_begin"]) : int(entry["cells_end"])]
     laid = tuple(float(entry[field]) for field in ("left", "bottom", "right", "top", "side", "columns", "lines"))

@@ -62,7 +62,7 @@ FAULTS = [
     "world.substeps: must be at least 1, not 0",
     "shapes[0].radius: must be positive, not -1.0",
     "shapes[1].end: must ",
-    "shapes[2].kind: must be one of 'point', 'segment', 'circle', 'arc', 'gate', 'compound', not 'blob'",
+    "shapes[2].kind: must be one of 'point', 'segment', 'circle', 'arc', 'gate', 'compound', 'group', not 'blob'",
     "shapes[3].kind: is missing",
     "shapes[4].center: must be a pair of numbers, not [1, 2, 3]",
     "shapes[4].radius: must be a number, not 'big'",

@@ -70,7 +70,7 @@ def bad_additions() -> list[tuple[str, list[object], str]]:
     mill, moving = Compound([part], (0, 0)), World().add(Compound([Point((2, 2))], (0, 0)))
     wall, ball = Segment((0, 0), (1, 0)), Ball((5, 5), 1)
     return [
-        ("a text", [wall, "ball"], r"shapes\[1\] must be a shape, a compound or a ball, not 'ball'"),
+        ("a text", [wall, "ball"], r"shapes\[1\] must be a shape, a compound, a group or a ball, not 'ball'"),
         ("a list", [[wall, ball]], r"shape must be .* \(a list of them is added by add\(\*shapes\)\)"),
         ("of another world", [wall, ball, inside], r"shapes\[2\] must not be in a world already \(copy\.copy\(shape\)"),
         ("a compound of another", [wall, moving], r"shapes\[1\] must not be in a world already"),
