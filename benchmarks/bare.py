@@ -1,7 +1,7 @@
 """The gas as a loop that can do nothing else: no shapes, no hits, no rest; compiled by Numba, and the same in C.
 
 What a world costs more is the price of being a world. Balls are put into cells as wide as a ball, in the order of the
-cells, and each is tried against the balls of its own cell and of four of the eight around it.
+cells, and each is tried against those that come after it in its own cell and in the four cells that come after.
 """
 
 import ctypes
@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from math import floor, sqrt
 from os import environ
 from pathlib import Path
@@ -62,58 +62,55 @@ def step_gas(
         starts[cells[i] + 1] -= 1
         members[starts[cells[i] + 1]] = i
     starts[columns * rows + 1] = count
-    for row in range(rows):
-        for column in range(columns):
-            for k in range(5):
-                other_row = row + (0 if k < 2 else 1)
-                other_column = column + (k if k < 2 else k - 3)
-                if other_row < rows and 0 <= other_column < columns:
-                    bounce_all(
-                        balls, starts, members, column + columns * row, other_column + columns * other_row, radius
-                    )
-
-
-def bounce_all(balls: Any, starts: Any, members: Any, cell: int, other: int, radius: float) -> None:
-    """Let the balls of a cell bounce off those of another, or off each other."""
-    for a in range(starts[cell + 1], starts[cell + 2]):
+    for a in range(count):
         i = members[a]
-        for b in range(a + 1 if other == cell else starts[other + 1], starts[other + 2]):
-            j = members[b]
-            x, y = balls[j, 0] - balls[i, 0], balls[j, 1] - balls[i, 1]
-            squared = x * x + y * y
-            if squared < 4.0 * radius * radius and squared > 0.0:
-                distance = sqrt(squared)
-                x, y = x / distance, y / distance
-                push = 0.5 * (2.0 * radius - distance)
-                balls[i, 0] -= push * x
-                balls[i, 1] -= push * y
-                balls[j, 0] += push * x
-                balls[j, 1] += push * y
-                closing = (balls[j, 2] - balls[i, 2]) * x + (balls[j, 3] - balls[i, 3]) * y
-                if closing < 0.0:
-                    balls[i, 2] += closing * x
-                    balls[i, 3] += closing * y
-                    balls[j, 2] -= closing * x
-                    balls[j, 3] -= closing * y
+        cell = cells[i]
+        left, right = cell % columns > 0, (cell + 1) % columns > 0
+        bounce_all(balls, members, i, a + 1, starts[cell + 2 + right], radius)
+        above = cell + columns
+        if above < columns * rows:
+            bounce_all(balls, members, i, starts[above + 1 - left], starts[above + 2 + right], radius)
+
+
+def bounce_all(balls: Any, members: Any, i: int, begin: int, end: int, radius: float) -> None:
+    """Let a ball bounce off some of the others, in the order of cells."""
+    for b in range(begin, end):
+        j = members[b]
+        x, y = balls[j, 0] - balls[i, 0], balls[j, 1] - balls[i, 1]
+        squared = x * x + y * y
+        if squared < 4.0 * radius * radius and squared > 0.0:
+            distance = sqrt(squared)
+            x, y = x / distance, y / distance
+            push = 0.5 * (2.0 * radius - distance)
+            balls[i, 0] -= push * x
+            balls[i, 1] -= push * y
+            balls[j, 0] += push * x
+            balls[j, 1] += push * y
+            closing = (balls[j, 2] - balls[i, 2]) * x + (balls[j, 3] - balls[i, 3]) * y
+            if closing < 0.0:
+                balls[i, 2] += closing * x
+                balls[i, 3] += closing * y
+                balls[j, 2] -= closing * x
+                balls[j, 3] -= closing * y
 
 
 class Bare:
     """A gas that a loop steps: the setup's walls must be a box that begins at (0, 0), and nothing else is looked at."""
 
-    def __init__(self, setup: Setup, loop: Loop) -> None:
+    def __init__(self, setup: Setup, loop: Loop, by_address: bool = False) -> None:
         width, height = setup.segments[:, [0, 1]].max(axis=0).tolist()
         columns, rows = (max(floor(side / (2.0 * setup.radius)), 1) for side in (width, height))
         self.balls = np.column_stack((setup.position, setup.velocity))
         count = len(self.balls)
         # Two more than there are cells: each begins where the next entry says, and the last one ends at the last.
-        tables = np.zeros(count, "i4"), np.zeros(columns * rows + 2, "i4"), np.zeros(count, "i4")
+        self.tables = np.zeros(count, "u4"), np.zeros(columns * rows + 2, "u4"), np.zeros(count, "u4")
         numbers = setup.time_step, setup.radius, width, height
-        self.arguments = (count, columns, rows, *numbers, self.balls, *tables)
-        self.loop = loop
+        given = [table.ctypes.data if by_address else table for table in (self.balls, *self.tables)]
+        self.loop = partial(loop, count, columns, rows, *numbers, *given)
 
     def step(self) -> None:
         """One step."""
-        self.loop(*self.arguments)
+        self.loop()
 
     def state(self) -> tuple[Floats, Floats]:
         """Copies of the two halves of the array."""
@@ -136,7 +133,7 @@ def numba_loop() -> Loop:
 
 @cache
 def c_loop() -> Loop | None:
-    """The loop in C, compiled by `CC` or `cc`; None where there is no such compiler."""
+    """The loop in C, which takes addresses of tables, made by `CC` or `cc`; None where there is no such compiler."""
     compiler = shlex.split(environ.get("CC") or "cc")
     if shutil.which(compiler[0]) is None:
         return None
@@ -144,9 +141,8 @@ def c_loop() -> Loop | None:
         made = Path(folder) / "bare.so"
         subprocess.run([*compiler, *OPTIONS, str(SOURCE), "-o", str(made), "-lm"], check=True)
         function = ctypes.CDLL(str(made)).step_gas
-    table = np.ctypeslib.ndpointer
-    whole, tables = [ctypes.c_int32] * 3, [table("f8", flags="C"), *[table("i4", flags="C")] * 3]
-    function.argtypes, function.restype = (*whole, *[ctypes.c_double] * 4, *tables), None
+    function.argtypes = (*[ctypes.c_uint32] * 3, *[ctypes.c_double] * 4, *[ctypes.c_void_p] * 4)
+    function.restype = None
     loop: Loop = function
     return loop
 
@@ -156,5 +152,5 @@ def bare_engines() -> dict[str, Callable[[Setup], Engine]]:
     in_c = c_loop()
     found: dict[str, Callable[[Setup], Engine]] = {"bare loop, Numba": lambda setup: Bare(setup, numba_loop())}
     if in_c is not None:
-        found["bare loop, C"] = lambda setup: Bare(setup, in_c)
+        found["bare loop, C"] = lambda setup: Bare(setup, in_c, by_address=True)
     return found

@@ -41,7 +41,7 @@ def _of(count: int, quick: bool) -> list[Figure]:
 
 def _case(count: int) -> str:
     """The name of so many balls in the table."""
-    return f"{count:,} balls"
+    return f"{count:,} balls" if count > 1 else "1 ball"
 
 
 def chart(figures: list[Figure]) -> str:
@@ -53,4 +53,4 @@ def chart(figures: list[Figure]) -> str:
     ]
     drawn = [curve for curve in curves if curve.points]
     title = "What a step of the gas costs for each ball"
-    return Chart(title, "balls", "nanoseconds a ball", across=(0, 6), up=(0, 5, 1)).draw(drawn)
+    return Chart(title, "balls", "nanoseconds a ball", across=(0, 6), up=(1, 5, 1)).draw(drawn)

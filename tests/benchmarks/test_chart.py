@@ -28,7 +28,7 @@ def test_a_curve_goes_through_its_places() -> None:
 
 def test_what_balls_cost_is_drawn_for_every_engine_that_was_measured() -> None:
     figures = [
-        Figure(f"{10**power:,} balls", name, 100.0, "ns a ball")
+        Figure(f"{10**power:,} balls" if power else "1 ball", name, 100.0, "ns a ball")
         for name in ("carom", "bare loop, C")
         for power in range(7)
     ]

@@ -6,10 +6,6 @@ from collections.abc import Callable, Iterable, Iterator
 from types import ModuleType
 from typing import Any
 
-import pytest
-
-numba = pytest.importorskip("numba")
-
 
 def functions(module: ModuleType) -> list[Callable[..., Any]]:
     """The functions that a module defines itself."""
@@ -19,6 +15,8 @@ def functions(module: ModuleType) -> list[Callable[..., Any]]:
 
 def register(modules: Iterable[ModuleType]) -> None:
     """Make every function of some modules known to the compiler, for when another calls it."""
+    import numba
+
     for module in modules:
         for function in functions(module):
             numba.extending.register_jitable(function)

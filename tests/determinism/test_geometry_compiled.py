@@ -24,8 +24,10 @@ from carom.geometry import (
     roots,
     vector,
 )
-from tests.determinism.both_ways import functions, numba, register, result_bits
+from tests.determinism.both_ways import functions, register, result_bits
 from tests.flat import arguments, fields
+
+numba = pytest.importorskip("numba")
 
 pytestmark = pytest.mark.slow
 

@@ -25,8 +25,10 @@ from carom.geometry import (
     turning,
     vector,
 )
-from tests.determinism.both_ways import functions, numba, register, result_bits
+from tests.determinism.both_ways import functions, register, result_bits
 from tests.flat import arguments, fields
+
+numba = pytest.importorskip("numba")
 
 CASES = 3000
 #: In the order of their imports, so that what a function calls is known to the compiler before it.
