@@ -24,7 +24,7 @@ def patch_index(
 ) -> bool:
     """True if the index of the static shapes is right again; False where it has to be made anew.
 
-    Behind all shapes, and a place for each kinematic one, `order` names first the `state["taken"]` shapes that are to be
+    Behind all shapes, and a place for each kinematic one, `order` names the `state["taken"]` shapes that are to be
     taken out, then as many rows with the geometries by which they were put in, then the `state["put"]` shapes that are
     to be put in.
     """
