@@ -1,7 +1,7 @@
 """Plots of a run, one call each: its energy, what was hit how often, where balls were, how fast they were.
 
 Each takes a `Recording`, draws into `axes`, or into a new figure where there are none, and returns the axes. The extra
-`study` brings matplotlib, which is imported when the first plot is made.
+`study` brings matplotlib, which is imported when the first plot is made. The plots of studies are here too.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from carom.draw.parts.outlines import line_mark
 from carom.extras import needed
 from carom.record.members import hits_by_label, touches_by_label
 from carom.spelling import spelled
+from carom.study.axes import FIRST, OUTLINE, SECOND, named, new_axes
+from carom.study.portraits import boundary_map, correlation, mean_free_path, survival
 from carom.typing import Vector
 from carom.world.hits import HitKind
 
@@ -25,6 +27,17 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from carom.record import Recording
+
+__all__ = [
+    "boundary_map",
+    "correlation",
+    "energy",
+    "heat_map",
+    "hits_by_shape",
+    "mean_free_path",
+    "speeds",
+    "survival",
+]
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -36,8 +49,6 @@ COUNTED: tuple[Counted, ...] = ("touches", "hits")
 MOST_ROWS = 12
 #: How many cells a map has at most along a side, and a histogram in all: more than any picture has pixels.
 MOST_CELLS = 10_000
-#: Colours that can be told apart on light and dark grounds, and without colour sight: of one thing, another, lines.
-FIRST, SECOND, OUTLINE = "#1f8aa8", "#d9480f", "#8a9099"
 #: The part of its greatest width that a heat map is drawn beyond the shapes.
 MARGIN = 0.02
 
@@ -52,7 +63,7 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
     >>> axes.get_xlabel()
     'time in s'
     """
-    axes = axes or _new_axes()
+    axes = axes or new_axes()
     kinetic, total = recording.kinetic_energy(), recording.energy()
     if np.array_equal(kinetic, total):
         axes.plot(recording.times, kinetic, color=FIRST)
@@ -61,7 +72,7 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
         axes.plot(recording.times, kinetic, color=FIRST, label="kinetic")
         axes.legend(frameon=False, loc="upper right", ncols=2)
     axes.set_ylim(*_room_for(np.concatenate((kinetic, total))))
-    return _named(axes, "Energy", "time in s", "energy")
+    return named(axes, "Energy", "time in s", "energy")
 
 
 @spelled
@@ -75,7 +86,7 @@ def hits_by_shape(
     """
     rows = whole("rows", rows, 2)
     by_label = touches_by_label if one_of("count", count, COUNTED) == "touches" else hits_by_label
-    axes = axes or _new_axes()
+    axes = axes or new_axes()
     bounces = recording.hits[recording.hits["kind"] == HitKind.BOUNCE]
     bars = by_label(recording, bounces)
     if len(bars) > rows:
@@ -86,7 +97,7 @@ def hits_by_shape(
     axes.invert_yaxis()
     axes.bar_label(drawn, fmt="{:,.0f}", padding=3)
     axes.margins(x=0.12)
-    return _named(axes, f"{count.capitalize()} by shape", count, "")
+    return named(axes, f"{count.capitalize()} by shape", count, "")
 
 
 @spelled
@@ -97,7 +108,7 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
     many there are along the longer side.
     """
     cells = whole("cells", cells, 1, MOST_CELLS)
-    axes = axes or _new_axes()
+    axes = axes or new_axes()
     places = recording.positions.reshape(-1, 2)
     places = places[np.isfinite(places).all(axis=1)]
     left, bottom, right, top = _extent(recording, places)
@@ -113,7 +124,7 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
     axes.figure.colorbar(image, ax=axes, label="share of the time", shrink=0.8)
     _outline(recording, axes)
     axes.set_aspect("equal")
-    return _named(axes, "Where the balls were", "x", "y")
+    return named(axes, "Where the balls were", "x", "y")
 
 
 @spelled
@@ -127,13 +138,13 @@ def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0
     frames = recording.times - recording.times[0] >= since
     if not frames.any():
         raise refuse("since", f"must not be past the end, {recording.duration!r} s", since)
-    axes = axes or _new_axes()
+    axes = axes or new_axes()
     squared = np.sum(recording.velocities[frames] ** 2, axis=-1)
     there = np.isfinite(squared)
     masses = np.broadcast_to(recording.masses, squared.shape)[there]
     speed = np.sqrt(squared[there])
     if len(speed) == 0:
-        return _named(axes, "Speeds", "speed", "density")
+        return named(axes, "Speeds", "speed", "density")
     fastest = float(speed.max()) or 1.0
     axes.hist(speed, bins=bins, range=(0.0, fastest), density=True, color=FIRST, alpha=0.75, label="balls")
     temperature = float(np.mean(0.5 * masses * squared[there]))
@@ -141,7 +152,7 @@ def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0
         grid = np.linspace(0.0, fastest, 200)
         axes.plot(grid, maxwell(grid, masses, temperature), color=SECOND, label="Maxwell")
         axes.legend(frameon=False)
-    return _named(axes, "Speeds", "speed", "density")
+    return named(axes, "Speeds", "speed", "density")
 
 
 def maxwell(speed: Floats, masses: Floats, temperature: float) -> Floats:
@@ -151,22 +162,6 @@ def maxwell(speed: Floats, masses: Floats, temperature: float) -> Floats:
     each = ratio * speed * np.exp(-0.5 * ratio * speed * speed)
     mean: Floats = np.average(each, axis=0, weights=counts)
     return mean
-
-
-def _new_axes() -> Axes:
-    """The axes of a new figure."""
-    pyplot = needed("matplotlib.pyplot", "matplotlib", "study", "plots")
-    _, axes = pyplot.subplots(figsize=(7.0, 4.2), layout="constrained")
-    made: Axes = axes
-    return made
-
-
-def _named(axes: Axes, title: str, x: str, y: str) -> Axes:
-    """The axes with their words."""
-    axes.set_title(title)
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    return axes
 
 
 def _room_for(values: Floats) -> tuple[float, float]:

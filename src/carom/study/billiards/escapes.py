@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import pi, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
@@ -23,7 +23,8 @@ SETTLED = 10.0
 MOST_STEPS = 1_000_000
 
 
-class Escape(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Escape:
     """How long orbits stay in a table with a hole.
 
     Attributes:
@@ -47,7 +48,8 @@ class Escape(NamedTuple):
     expected: float
 
 
-class Correlation(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Correlation:
     """The autocorrelation of velocity.
 
     Attributes:
@@ -94,10 +96,11 @@ def escape(
     if not 0.0 <= begin < end <= room.perimeter:
         raise refuse("hole", f"must be two arc lengths from 0 to {room.perimeter!r}, the lesser first", hole)
     starts = room.random_starts(whole("n", n, 2), seed, speed=speed)
-    settled = SETTLED * pi * room.area / (room.perimeter * speed)
-    first = settled if since is None else positive("since", since)
+    first = positive("since", SETTLED * pi * room.area / (room.perimeter * speed) if since is None else since)
     if first >= last:
-        raise refuse("since" if since is not None else "seconds", f"must be apart; it is from {first!r} on", last)
+        if since is None:
+            raise refuse("seconds", f"must be more than ten mean free times, {first!r}", last)
+        raise refuse("since", f"must be less than seconds={last!r}", since)
     times = np.full(len(starts.position), np.inf)
     for batch in batches(room, starts, speed):
         found = batch.run(last)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import pi, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,8 @@ from carom.study.billiards.tables import Table, table
 MOST_HITS = 100_000_000
 
 
-class BoundaryMap(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class BoundaryMap:
     """Orbits on the outline of a table in the coordinates of Birkhoff; a row of each array is an orbit.
 
     Attributes:
@@ -34,7 +35,8 @@ class BoundaryMap(NamedTuple):
     sine: Floats
 
 
-class MeanFreePath(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class MeanFreePath:
     """How far balls fly from wall to wall.
 
     Attributes:

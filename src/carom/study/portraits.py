@@ -1,0 +1,96 @@
+"""Plots of studies, one call each: what `study.boundary_map` and its sisters return, drawn.
+
+Each draws into `axes`, or into a new figure where there are none, and returns the axes. They look well on light and on
+dark grounds, as `matplotlib.style` sets them.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from carom.spelling import spelled
+from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, named, new_axes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from carom.study.billiards.escapes import Correlation, Escape
+    from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+
+#: Points in a phase portrait above which they are drawn ever smaller, and their largest size.
+CROWD, DOT = 20_000, 3.0
+#: Bars of a histogram.
+BARS = 100
+#: Deviations that a band of error shows to either side.
+BAND = 2.0
+
+
+@spelled
+def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
+    """The phase portrait of a `study.boundary_map`: each hit by arc length and sine, each orbit in one colour.
+
+    Lines divide the outer wall and the islands.
+    """
+    axes = axes or new_axes()
+    colours = [MANY[number % len(MANY)] for number in range(len(found.sine))]
+    size = DOT * min(1.0, CROWD / found.sine.size)
+    axes.scatter(
+        found.arc_length.ravel(),
+        found.sine.ravel(),
+        s=max(size, 0.05),
+        c=np.repeat(colours, found.sine.shape[1]),
+        linewidths=0.0,
+        rasterized=True,
+    )
+    for end in np.cumsum([loop.length for loop in found.table.loops[:-1]]):
+        axes.axvline(end, color=OUTLINE, linewidth=1.0)
+    axes.set_xlim(0.0, found.table.perimeter)
+    axes.set_ylim(-1.0, 1.0)
+    return named(axes, "Boundary map", "arc length", "sine of the angle of incidence")
+
+
+@spelled
+def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
+    """The plot of how long the flights of a `study.mean_free_path` are, with their mean and π·area/perimeter."""
+    axes = axes or new_axes()
+    axes.hist(found.paths, bins=BARS, density=True, color=FIRST, alpha=0.75, label="flights")
+    label = f"mean {found.value:.4g} ± {found.error:.1g}"
+    axes.axvline(found.value, color=SECOND, label=label)
+    axes.axvline(found.expected, color=OUTLINE, linestyle="--", label=f"π·area/perimeter {found.expected:.4g}")
+    axes.legend(frameon=False)
+    axes.set_xlim(left=0.0)
+    return named(axes, "Free paths", "length", "density")
+
+
+@spelled
+def survival(found: Escape, axes: Axes | None = None) -> Axes:
+    """The plot of how many orbits of a `study.escape` are still there, with the rate that was found and its line."""
+    axes = axes or new_axes()
+    there = found.survival > 0.0
+    time, share, error = found.time[there], found.survival[there], BAND * found.error[there]
+    axes.fill_between(time, np.maximum(share - error, 0.5 / len(found.times)), share + error, color=FIRST, alpha=0.25)
+    axes.plot(time, share, color=FIRST, label="orbits")
+    if found.rate > 0.0:
+        later = time[time >= found.since]
+        begin = float(np.interp(found.since, found.time, found.survival))
+        label = f"rate {found.rate:.4g} ± {found.rate_error:.1g}"
+        decay = begin * np.exp(-found.rate * (later - found.since))
+        axes.plot(later, decay, color=SECOND, linestyle="--", label=label)
+    axes.set_yscale("log")
+    axes.set_xlim(0.0, found.time[-1])
+    axes.legend(frameon=False)
+    return named(axes, "Survival", "time in s", "share of orbits that are there")
+
+
+@spelled
+def correlation(found: Correlation, axes: Axes | None = None) -> Axes:
+    """The plot of a `study.correlation` over time, with a band of two standard errors to either side."""
+    axes = axes or new_axes()
+    error = BAND * found.error
+    axes.axhline(0.0, color=OUTLINE, linewidth=1.0)
+    axes.fill_between(found.time, found.value - error, found.value + error, color=FIRST, alpha=0.25)
+    axes.plot(found.time, found.value, color=FIRST)
+    axes.set_xlim(0.0, found.time[-1])
+    return named(axes, "Correlation of velocity", "time in s", "v(0)·v(t) / v(0)²")

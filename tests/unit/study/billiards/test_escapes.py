@@ -1,0 +1,94 @@
+"""Orbits escape as fast as the published rates say, and velocities are forgotten as closed forms say."""
+
+from math import pi
+from typing import Any
+
+import numpy as np
+import pytest
+
+import carom
+from carom import scenes, study
+
+
+def test_in_a_round_room_each_orbit_escapes_when_its_angle_says() -> None:
+    found = study.escape(scenes.circle(radius=1.0), (0.0, 1.0), n=30, seconds=12.0, seed=5, since=1.0)
+    hits = study.boundary_map(scenes.circle(radius=1.0), n=30, hits=60, seed=5, boundary=False)
+    through = hits.arc_length < 1.0
+    times = [row[hole][0] if hole.any() else np.inf for row, hole in zip(hits.time, through, strict=True)]
+    expected = np.where(np.array(times) <= 12.0, times, np.inf)
+    # Nearly along the wall a ball hits more often than sixty times; such orbits meet any hole at once.
+    assert found.times == pytest.approx(expected, abs=1e-6)
+    assert found.survival[0] == 1.0
+    assert found.survival[-1] == np.isinf(found.times).mean()
+    assert (np.diff(found.survival) <= 0.0).all()
+    middle = len(found.time) // 2
+    assert found.survival[middle] == (found.times > found.time[middle]).mean()
+    assert found.error[middle] == pytest.approx(np.sqrt(found.survival[middle] * (1 - found.survival[middle]) / 30))
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_chaotic_orbits_escape_at_the_rate_of_bauer_and_bertsch() -> None:
+    # W. Bauer and G. F. Bertsch, Phys. Rev. Lett. 65, 2213, 1990: speed·hole/(π·area) for small holes. The next term is
+    # half of the chance to hit the hole, here a quarter of a percent, and less than the error.
+    table = study.table(scenes.lorentz())
+    hole = 0.005 * table.perimeter
+    found = study.escape(table, (1.0, 1.0 + hole), n=2000, seconds=60.0, seed=1)
+    assert abs(found.rate - found.expected) < 3.0 * found.rate_error < 0.12 * found.expected
+
+
+def test_a_closed_hole_lets_nobody_out() -> None:
+    square = scenes.rectangle(2.0, 2.0)
+    table = study.table(square)
+    found = study.escape(table, (table.perimeter - 1e-12, table.perimeter), n=4, seconds=9.0, since=2.0)
+    assert found.rate == 0.0
+    assert found.rate_error == np.inf
+    assert (found.survival == 1.0).all()
+
+
+def wave(phase: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """The correlation of the sign of a speed between two walls, as many of their distances later."""
+    return np.abs(np.mod(phase, 2.0) - 1.0) * 2.0 - 1.0
+
+
+def test_in_a_rectangle_velocities_are_correlated_as_triangular_waves() -> None:
+    # Each component only changes its sign, 1/width or 1/height times its size a second; then the mean over directions.
+    found = study.correlation(scenes.rectangle(3.0, 2.0), n=300, seconds=6.0, steps=12, seed=1)
+    angles = (np.arange(20_000) + 0.5) * 2.0 * pi / 20_000
+    across, along = np.abs(np.cos(angles)), np.abs(np.sin(angles))
+    for time, value, error in zip(found.time, found.value, found.error, strict=True):
+        expected = np.mean(across**2 * wave(across * time / 3.0) + along**2 * wave(along * time / 2.0))
+        assert abs(value - expected) <= 4.0 * error + 1e-4
+    assert (found.time[0], found.time[-1], found.value[0], found.error[0]) == pytest.approx((0.0, 6.0, 1.0, 0.0))
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", ["sinai", "mushroom", "lorentz"])
+def test_correlations_begin_with_the_slope_of_every_table(name: str) -> None:
+    table = study.table(name)
+    free = pi * table.area / table.perimeter
+    found = study.correlation(table, n=5000, seconds=0.02 * free, steps=1, seed=2)
+    # Who hits twice in a fiftieth of a free time is a part in a thousand of those who hit once.
+    assert abs(found.value[1] - (1.0 - 4.0 / 3.0 * 0.02)) < 4.0 * found.error[1] + 1e-4
+
+
+@pytest.mark.parametrize(
+    ("study_of", "given", "told"),
+    [
+        (study.escape, {"hole": (1.0, 0.5)}, r"hole must be two arc lengths from 0 to 12.56.*, not \(1.0, 0.5\)"),
+        (study.escape, {"hole": (0.0, 13.0)}, "hole must be two arc lengths"),
+        (study.escape, {"hole": 3}, "hole must be a pair of numbers, not 3"),
+        (study.escape, {"hole": (0, 1), "seconds": -1.0}, "seconds must be positive, not -1.0"),
+        (study.escape, {"hole": (0, 1), "seconds": 9.0, "since": 9.0}, "since must be .*, not 9.0"),
+        (study.escape, {"hole": (0, 1), "seconds": 9.0}, "seconds must be .*, not 9.0"),
+        (study.escape, {"hole": (0, 1), "n": 1}, "n must be from 2"),
+        (study.correlation, {"steps": 0}, "steps must be from 1"),
+        (study.correlation, {"seconds": 0.0}, "seconds must be positive, not 0.0"),
+        (study.correlation, {"speed": "1"}, "speed must be a number, not '1'"),
+        (study.correlation, {"scene": 1}, "scene must be a Scene"),
+    ],
+)
+def test_what_cannot_be_studied_is_refused(study_of: Any, given: dict[str, Any], told: str) -> None:
+    with pytest.raises(carom.InvalidArgument, match=told):
+        study_of(**({"scene": "circle"} | given))
