@@ -28,7 +28,7 @@ WRITABLE = (
 class SlowWorlds:
     """So many copies of a scene, a world, or the shipped scene of that name."""
 
-    def __init__(self, scene: carom.Scene | carom.World | str, copies: int) -> None:
+    def __init__(self, scene: carom.Scene | carom.World | str, copies: int, threads: int | None = None) -> None:
         if isinstance(scene, str):
             scene = carom.scenes.by_name(scene)
         world = scene.build() if isinstance(scene, carom.Scene) else scene

@@ -14,6 +14,7 @@ from tests.pictures.compare import KEPT, check, differences, pixels, pygame
 #: How each shipped scene is made and for how many seconds it runs: short runs, for they are interpreted too.
 RUNS: dict[str, tuple[dict[str, Any], float]] = {
     "annulus": ({}, 1.0),
+    "breakout": ({}, 1.4),
     "circle": ({}, 1.0),
     "ellipse": ({"tolerance": 1e-3}, 1.0),
     "flower": ({}, 1.0),

@@ -18,6 +18,7 @@ DT = 1.0 / 60.0
 SLACK, ROUNDING = 0.2, 1e-9
 ROOMS: dict[str, Callable[[float, float, float], bool]] = {
     "annulus": lambda x, y, r: hypot(x, y) < 2.0 - r + ROUNDING and hypot(x - 0.6, y) > 0.8 + r - ROUNDING,
+    "breakout": lambda x, y, r: r - SLACK < x < 24.0 - r + SLACK and r - SLACK < y < 30.0 - r + SLACK,
     "circle": lambda x, y, r: hypot(x, y) < 2.0 - r + ROUNDING,
     "ellipse": lambda x, y, r: hypot(x / 3.0, y / 2.0) < 1.0 - r / 3.0 + ROUNDING,
     "flower": lambda x, y, r: hypot(x, y) < 2.2 - r + ROUNDING,

@@ -11,7 +11,19 @@ from carom import scenes
 from tests.worlds import SMALL, small_scene
 
 NAMES = (
-    *("annulus", "circle", "ellipse", "flower", "galton", "gas", "lemon", "lorentz", "mushroom", "newtons_cradle"),
+    *(
+        "annulus",
+        "breakout",
+        "circle",
+        "ellipse",
+        "flower",
+        "galton",
+        "gas",
+        "lemon",
+        "lorentz",
+        "mushroom",
+        "newtons_cradle",
+    ),
     *("pinball", "pool", "rectangle", "sinai", "stadium", "toy", "wedge"),
 )
 COUNTS = {"balls", "petals", "rows", "seed"}
@@ -29,7 +41,7 @@ def test_all_are_listed_and_found_by_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "hint"), [("pinbal", "did you mean 'pinball'"), ("x", "there are annulus, circle"), (3, "")]
+    ("name", "hint"), [("pinbal", "did you mean 'pinball'"), ("x", "there are annulus, breakout"), (3, "")]
 )
 def test_a_name_that_is_none_is_refused(name: Any, hint: str) -> None:
     with pytest.raises(carom.SceneError, match=f"no shipped scene is called {name!r}; .*{hint}"):

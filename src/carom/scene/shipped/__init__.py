@@ -19,6 +19,7 @@ from carom.scene.shipped.billiards import (
     stadium,
     wedge,
 )
+from carom.scene.shipped.breakout_wall import breakout
 from carom.scene.shipped.cradle import newtons_cradle
 from carom.scene.shipped.galton_board import galton
 from carom.scene.shipped.gas_box import gas
@@ -29,6 +30,7 @@ from carom.scene.shipped.toy_table import toy
 #: The shipped scenes, and nothing else.
 __all__ = [
     "annulus",
+    "breakout",
     "circle",
     "ellipse",
     "flower",
