@@ -27,6 +27,7 @@ from carom.errors import (
     SceneError,
     SnapshotError,
     SweepError,
+    TaskError,
     UnknownName,
     WorldBusy,
 )
@@ -91,6 +92,7 @@ __all__ = [
     "Shape",
     "SnapshotError",
     "SweepError",
+    "TaskError",
     "UnknownName",
     "World",
     "WorldBusy",

@@ -77,3 +77,7 @@ class CompileError(CaromError, RuntimeError):
 
 class SweepError(CaromError, RuntimeError):
     """A sweep cannot begin or go on; the message says why. What is in its ledger is kept."""
+
+
+class TaskError(CaromError, ValueError):
+    """A task for agents was refused; the message lists every fault with its path."""

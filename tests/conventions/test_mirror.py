@@ -6,7 +6,7 @@ from pathlib import Path
 from tests.conventions.source_trees import PACKAGE, ROOT, check_each, functions
 
 #: The rooms whose modules have tests of their name; games are tested as a player meets them, in `tests/play`.
-ROOMS = ("cli", "compiler", "draw", "geometry", "record", "rows", "scene", "shapes", "study", "world", "worlds")
+ROOMS = ("cli", "compiler", "draw", "geometry", "record", "rl", "rows", "scene", "shapes", "study", "world", "worlds")
 
 #: What the rows of one table hold, and no more: `tests/unit/rows/test_tables.py` walks these tables.
 FIELDS_ALONE = {

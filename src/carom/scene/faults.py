@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 #: Characters of a value, or of a strange name, that are shown.
 LONGEST = 60
 
+#: The lists whose items say of which kind they are.
+OF_KINDS = ("shapes", "actuators")
+
 #: The words for pydantic's types of error. Those not here speak for themselves.
 _WORDS = {
     "missing": "is missing",
@@ -194,5 +197,5 @@ def path_of(location: tuple[int | str, ...]) -> str:
 
 
 def _is_tag(location: tuple[int | str, ...], place: int) -> bool:
-    """Whether pydantic put the step at `place` there to say which kind of shape it took; no file holds such a step."""
-    return place >= 2 and isinstance(location[place - 1], int) and location[place - 2] == "shapes"
+    """Whether pydantic put the step at `place` there to say which kind of table it took; no file holds such a step."""
+    return place >= 2 and isinstance(location[place - 1], int) and location[place - 2] in OF_KINDS

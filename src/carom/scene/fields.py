@@ -25,8 +25,8 @@ def _sequence(value: Any, count: int, what: str) -> tuple[Any, ...]:
     raise PydanticCustomError("sequence", "must be {what}, not {value}", {"what": what, "value": shortened(value)})
 
 
-def _as_pair(value: Any) -> tuple[Any, ...]:
-    """`value` as a tuple of two items."""
+def as_pair(value: Any) -> tuple[Any, ...]:
+    """`value` as a tuple of two items, whatever they are; refused where it is none."""
     return _sequence(value, 2, "a pair of numbers")
 
 
@@ -68,5 +68,5 @@ Iterations = Annotated[int, Field(ge=1, le=MOST_ITERATIONS)]
 Levels = Annotated[int, Field(ge=1, le=MOST_LEVELS)]
 Impacts = Annotated[int, Field(ge=1, le=MOST_IMPACTS)]
 Layers = Annotated[int, Field(ge=0, le=ALL_LAYERS)]
-Vector = Annotated[tuple[float, float], BeforeValidator(_as_pair)]
+Vector = Annotated[tuple[float, float], BeforeValidator(as_pair)]
 Sides = Annotated[tuple[float, float, float, float], AfterValidator(_in_order), BeforeValidator(_as_sides)]

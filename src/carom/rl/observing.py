@@ -1,0 +1,100 @@
+"""Observations: numbers from -1 to 1, of all copies at once."""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from carom.rl.descriptors import Impulse
+from carom.rl.names import Names
+
+if TYPE_CHECKING:
+    from carom.rl.scoring import Score
+    from carom.rl.task import Task
+    from carom.shapes.aabb import Aabb
+    from carom.worlds import Worlds
+
+Seen: TypeAlias = NDArray[np.float32]
+Floats: TypeAlias = NDArray[np.float64]
+
+
+class Numbers:
+    """What is seen of the worlds of a task as a list of numbers, in the order that `Observation` tells."""
+
+    def __init__(self, task: Task, names: Names, worlds: Worlds, score: Score, box: Aabb) -> None:
+        seen = task.observation
+        self._worlds = worlds
+        self._balls = names.balls_like(seen.balls)
+        speeds = fastest(task, names)
+        self._turning = [
+            (worlds.shapes[index], names.shapes[index].turn_limits, speeds[index])
+            for index in names.shapes_like(seen.turning)
+        ]
+        self._travelling = [(worlds.shapes[index], speeds[index]) for index in names.shapes_like(seen.travelling)]
+        self._in_play, self._lights = score.in_play, score.lights.hit
+        self._several = len(self._balls) > 1
+        self._middle = np.array([box.left + box.right, box.bottom + box.top]) / 2.0
+        self._half = np.array([box.right - box.left, box.top - box.bottom]) / 2.0
+        # A box without a width or a height has everything in its middle.
+        self._half[self._half == 0.0] = 1.0
+        self._speed = seen.speed or task.scene.world.max_speed or 2.0 * float(self._half.max())
+        turns = [3 if limits is None else 2 for _, limits, _ in self._turning]
+        movers = sum(turns) + 4 * len(self._travelling)
+        width = len(self._balls) * (4 + self._several) + movers + self._lights.shape[1]
+        self.space = spaces.Box(-1.0, 1.0, (width,), np.float32)
+
+    def see(self) -> Seen:
+        """The observation of each copy, a new array of shape (copies, width)."""
+        found: Seen = np.empty((len(self._worlds), *self.space.shape), np.float32)
+        place = self._see_balls(found)
+        for shape, limits, fastest in self._turning:
+            place += see_orientation(shape.orientation, limits, found[:, place:])
+            found[:, place] = shape.angular_velocity / fastest
+            place += 1
+        for shape, fastest in self._travelling:
+            found[:, place : place + 2] = (shape.position - self._middle) / self._half
+            found[:, place + 2 : place + 4] = shape.velocity / fastest
+            place += 4
+        found[:, place:] = self._lights
+        return np.clip(found, -1.0, 1.0, out=found)
+
+    def _see_balls(self, found: Seen) -> int:
+        """Write what is seen of the balls; return how many numbers that is."""
+        columns = 4 + self._several
+        balls = np.ones((len(found), len(self._balls), columns), np.float32)
+        position, velocity = self._worlds.balls.position, self._worlds.balls.velocity
+        balls[:, :, 0:2] = (position[:, self._balls] - self._middle) / self._half
+        balls[:, :, 2:4] = velocity[:, self._balls] / self._speed
+        balls *= self._in_play[:, self._balls, None]
+        width = len(self._balls) * columns
+        found[:, :width] = balls.reshape(len(found), width)
+        return width
+
+
+def see_orientation(orientation: Floats, limits: tuple[float, float] | None, found: Seen) -> int:
+    """Write what is seen of how far a shape is turned; return how many numbers that is."""
+    if limits is None:
+        # Not those of NumPy, which need not be the same for an angle alone and for one among many.
+        found[:, 0] = [sin(angle) for angle in orientation.tolist()]
+        found[:, 1] = [cos(angle) for angle in orientation.tolist()]
+        return 2
+    low, high = limits
+    found[:, 0] = (2.0 * orientation - (low + high)) / ((high - low) or 1.0)
+    return 1
+
+
+def fastest(task: Task, names: Names) -> dict[int, float]:
+    """The speed of each shape, by its index, that is seen as 1: the top one of its actuators, or else its own."""
+    speeds: dict[int, float] = {}
+    for index, shape in enumerate(names.shapes):
+        x, y = shape.velocity
+        speeds[index] = abs(shape.angular_velocity) or float(np.sqrt(x * x + y * y)) or 1.0
+    for actuator in task.actuators:
+        if not isinstance(actuator, Impulse):
+            (index,) = names.bearers(actuator.shape)
+            speeds[index] = actuator.top_speed
+    return speeds
