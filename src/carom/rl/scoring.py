@@ -67,7 +67,8 @@ class Score:
         if self._bounds is None:
             return np.zeros(self.in_play.shape, bool)
         left, bottom, right, top = self._bounds
-        x, y = worlds.balls.position[:, :, 0], worlds.balls.position[:, :, 1]
+        position = worlds.balls.position.copy()  # once, for each copy's lie on a page of their own
+        x, y = position[:, :, 0], position[:, :, 1]
         strays: NDArray[np.bool_] = (x < left) | (x > right) | (y < bottom) | (y > top)
         return strays
 
