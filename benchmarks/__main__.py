@@ -26,6 +26,7 @@ from benchmarks import (
     movers,
     pinball,
     play,
+    rl,
     rooms,
     scaling,
     startup,
@@ -52,6 +53,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "memory": memory,
     "sweep": sweep,
     "worlds": worlds,
+    "rl": rl,
 }
 
 

@@ -4,5 +4,5 @@
 EXAMPLES = (
     "arc_room", "galton_board", "newtons_cradle", "galperin_pi", "maxwell_gas", "common_tangents", "guard_points",
     "rounded_room", "two_modes", "stadium_chaos", "boundary_map", "sinai_billiard", "bowl", "flipper", "pool_line",
-    "lidar", "breakout", "pinball_hits", "snapshots", "layers",
+    "lidar", "breakout", "pinball_hits", "learning_pinball", "snapshots", "layers",
 )  # fmt: skip

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.rl import TaskEnv, tasks
+from carom.rl import TaskEnv, TaskVectorEnv, tasks
 from carom.rl.names import Names
 
 
@@ -51,21 +51,26 @@ def test_a_straight_shot_pots_the_eight_and_one_away_from_it_does_not() -> None:
     assert env.step(0.2 * aimed)[1] == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_who_follows_the_ball_takes_bricks_and_who_rests_does_not() -> None:
-    def played(follow: bool) -> float:
-        env, total = TaskEnv("breakout"), 0.0
-        for seed in range(3):
-            seen, _ = env.reset(seed=seed)
-            over = False
-            while not over:
-                seen, reward, terminated, truncated, _ = env.step(
-                    1 + int(np.sign(round(8.0 * (seen[0] - seen[4])))) if follow else 1
-                )
-                total, over = total + reward, terminated or truncated
-        return total
+    task = tasks.breakout()
+    task = task.model_copy(update={"end": task.end.model_copy(update={"seconds": 20.0})})
 
-    assert played(follow=True) > 5.0 * played(follow=False)
+    def played(follow: bool) -> float:
+        env = TaskVectorEnv(task, 8)
+        seen, _ = env.reset(seed=1)
+        total, over = np.zeros(8), np.zeros(8, bool)
+        for _ in range(20 * 60):
+            off = np.round(8.0 * (seen[:, 0] - seen[:, 4])) if follow else np.zeros(8)
+            seen, reward, terminated, truncated, _ = env.step(1 + np.sign(off).astype(int))
+            total += reward * ~over
+            over |= terminated | truncated
+            if over.all():
+                break
+        return float(total.sum())
+
+    assert played(follow=True) > 3.0 * played(follow=False)
 
 
 def test_importing_carom_imports_none_of_it_and_a_missing_package_is_named() -> None:

@@ -51,9 +51,10 @@ def check_twins(task: Task, seed: int, copies: int, steps: int) -> int:
 
 @pytest.mark.parametrize("make", [yard_task, shot_task])
 def test_each_copy_goes_the_way_of_a_plain_world(make: Any) -> None:
-    check_twins(make(), 0, 2, 4)
+    check_twins(make(), 0, 2, 6)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])
 @pytest.mark.parametrize("make", [yard_task, shot_task])
