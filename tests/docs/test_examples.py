@@ -28,7 +28,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "galton_board": lambda names, _: abs(names["bins"].mean() - 5) < 0.3 and abs(names["bins"].std() - 1.58) < 0.3,
     "guard_points": lambda _, printed: "by 2 of 3 balls, the guarded one by 3" in printed,
     "layers": lambda names, printed: len(names["shown"]) == len(printed.splitlines()) > 10,
-    "learning_pinball": lambda names, printed: len(names["means"]) == 3 and printed.count("points a game") == 3,
+    "learning_pinball": lambda names, printed: len(names["means"]) == 3 and printed.count("points a game") == 6,
     "lidar": lambda names, _: names["hits"].found.all(),
     "maxwell_gas": lambda names, _: np.ptp(names["energy"]) < 1e-12 * names["energy"][0],
     "newtons_cradle": lambda names, _: np.ptp(names["energy"]) == 0.0 and len(names["run"].hits) > 15,

@@ -37,7 +37,7 @@ def test_a_paddle_goes_to_the_end_of_its_way_and_no_further() -> None:
     for direction, reached in (((1.0, 0.0), [7.0, 2.0]), ((-3.0, 0.0), [2.0, 7.0])):
         travel = Travel(shape="paddle", speeds=(8.0, -8.0), direction=direction, limits=(-4.0, 1.0))
         worlds, actions = acting(drop_task(actuators=[travel]))
-        for _ in range(40):
+        for _ in range(12):
             actions.act(np.array([0, 1]))
             worlds.step(0.05)
         way = 1.0 if direction[0] > 0.0 else -1.0

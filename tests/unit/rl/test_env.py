@@ -14,7 +14,7 @@ from carom.rl import TaskEnv, tasks
 from tests.rl_tasks import drop_task, shot_task
 
 
-@pytest.mark.parametrize("name", ["Breakout", pytest.param("Pinball", marks=pytest.mark.compiled)])
+@pytest.mark.parametrize("name", ["Breakout", pytest.param("Pinball", marks=[pytest.mark.slow, pytest.mark.compiled])])
 def test_gymnasiums_checker_has_nothing_to_say(name: str) -> None:
     env = gymnasium.make(f"carom/{name}-v0", render_mode="rgb_array")
     with warnings.catch_warnings():
@@ -23,6 +23,7 @@ def test_gymnasiums_checker_has_nothing_to_say(name: str) -> None:
     assert isinstance(env.unwrapped, TaskEnv)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_gymnasiums_checker_has_nothing_to_say_of_one_shot() -> None:
     with warnings.catch_warnings():

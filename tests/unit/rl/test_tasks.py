@@ -39,6 +39,7 @@ def matching(names: Names, pattern: str) -> list[str]:
     return [name for name, one in zip(names.columns, names.columns_like(pattern), strict=False) if one]
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_straight_shot_pots_the_eight_and_one_away_from_it_does_not() -> None:
     task = tasks.pool().model_copy(update={"start": ()})
