@@ -55,8 +55,9 @@ def test_without_a_seed_episodes_differ() -> None:
     assert len({start.tobytes() for start in starts}) == 4
 
 
-def test_a_step_beyond_the_end_is_refused() -> None:
-    env = TaskEnv(drop_task())
+@pytest.mark.parametrize("end", [{"drain": "drain"}, {"seconds": 0.1}])
+def test_a_step_beyond_the_end_is_refused(end: dict[str, Any]) -> None:
+    env = TaskEnv(drop_task(end=end))
     with pytest.raises(gymnasium.error.ResetNeeded, match="has not begun"):
         env.step(1)
     env.reset(seed=1)

@@ -31,6 +31,14 @@ def test_time_cuts_it_off() -> None:
     assert lengths(drop_task(start=[], end=End(drain="drain", seconds=0.5))) == [(10, False, True)] * 3
 
 
+def test_the_next_episode_has_as_much_time() -> None:
+    episodes = Episodes(drop_task(start=[], end=End(seconds=0.2)), 2, 1)
+    for _ in range(2):
+        episodes.begin(np.arange(2))
+        cut = [episodes.step(np.ones(2, int))[2].tolist() for _ in range(4)]
+        assert cut == [[False, False]] * 3 + [[True, True]]
+
+
 def test_a_number_of_actions_ends_it() -> None:
     assert lengths(drop_task(end=End(actions=4))) == [(4, True, False)] * 3
 

@@ -32,6 +32,8 @@ def test_what_gives_points_is_on_the_table() -> None:
     bricks = [set(matching(Names(tasks.breakout().scene.build()), p.shapes)) for p in tasks.breakout().reward.points]
     assert [len(one) for one in bricks] == [21, 21, 21]
     assert not bricks[0] & bricks[1]
+    cleared = matching(Names(tasks.breakout().scene.build()), tasks.breakout().end.cleared or "")
+    assert set(cleared) == set.union(*bricks)
 
 
 def matching(names: Names, pattern: str) -> list[str]:

@@ -121,6 +121,17 @@ def test_only_those_asked_for_begin_anew() -> None:
     assert same(again[1], after[1])
 
 
+def test_those_that_go_on_keep_their_random_numbers() -> None:
+    others: list[dict[str, Any]] = [{"seed": [8, 9, 9]}, {"seed": 9}, {}]
+    after = []
+    for asked in others:
+        env = vector(drop_task())
+        env.reset(seed=1)
+        env.reset(**asked, options={"reset_mask": np.array([True, False, False])})
+        after.append(env.reset()[0][1:].tobytes())
+    assert len(set(after)) == 1
+
+
 def test_observations_are_new_each_time() -> None:
     env = vector(drop_task())
     first, _ = env.reset(seed=1)
