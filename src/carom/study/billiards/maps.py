@@ -102,9 +102,9 @@ def mean_free_path(scene: Scene | Table | str, n: int = 1000, hits: int = 200, s
         InvalidArgument: The scene is no closed table or has gravity, or `n` is less than 2.
     """
     room, count = table(scene), whole("hits", hits, 1, MOST_HITS)
-    starts = room.random_starts(whole("n", n, 2), seed)
     if room.scene.world.gravity != (0.0, 0.0):
         raise refuse("scene", "must have no gravity", room.scene.name)
+    starts = room.random_starts(whole("n", n, 2), seed)
     expected = pi * room.area / room.perimeter
     counts, paths = [], []
     for batch in batches(room, starts, 1.0):

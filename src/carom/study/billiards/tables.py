@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 POINT = 1e-5
 #: The layer that balls of an ensemble are on, and those that they meet.
 BALL_LAYER, OTHER_LAYERS = 2, ALL_LAYERS ^ 2
+#: Starts that are tried at least and at most at once, and in all until that is given up; a slow ball under gravity
+#: reaches only a small part of a table.
+FEWEST_TRIES, LONGEST_TRIAL, MOST_TRIES = 64, 1_000_000, 200_000_000
 #: Balls of an ensemble at most.
 MOST_ORBITS = 10_000_000
 
@@ -97,9 +100,15 @@ class Table:
         fastest = positive("speed", speed)
         draw = self._on_walls if flag("boundary", boundary) else self._inside
         places, ways = np.empty((0, 2)), np.empty((0, 2))
+        tries, trial = 0, 2 * count + FEWEST_TRIES
         while len(places) < count:
-            more_places, more_ways = draw(generator, max(64, 2 * (count - len(places))), fastest)
+            if tries > MOST_TRIES:
+                raise refuse("speed", "must be enough to get somewhere under gravity", speed)
+            more_places, more_ways = draw(generator, trial, fastest)
             places, ways = np.concatenate((places, more_places)), np.concatenate((ways, more_ways))
+            tries += trial
+            # As many as are still missing, at the share that was good so far, and some more.
+            trial = min(FEWEST_TRIES + 2 * (count - len(places)) * tries // (len(places) + 1), LONGEST_TRIAL)
         return Starts(places[:count].copy(), ways[:count].copy())
 
     @spelled
