@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 
 from carom.rl.descriptors import Impulse
 from carom.rl.names import Names
+from carom.shapes.group import Group
 
 if TYPE_CHECKING:
     from carom.rl.scoring import Score
     from carom.rl.task import Task
     from carom.shapes.aabb import Aabb
+    from carom.shapes.compound import Compound
+    from carom.shapes.shape import Shape
     from carom.worlds import Worlds
 
 Seen: TypeAlias = NDArray[np.float32]
@@ -34,7 +37,7 @@ class Numbers:
         self._balls = slice(None) if self._count == len(names.balls) else chosen
         speeds = fastest(task, names)
         self._turning = [
-            (worlds.shapes[index], names.shapes[index].turn_limits, speeds[index])
+            (worlds.shapes[index], stops_of(names.shapes[index]), speeds[index])
             for index in names.shapes_like(seen.turning)
         ]
         self._travelling = [(worlds.shapes[index], speeds[index]) for index in names.shapes_like(seen.travelling)]
@@ -96,12 +99,18 @@ def see_orientation(orientation: Floats, limits: tuple[float, float] | None, fou
     return 1
 
 
+def stops_of(shape: Shape | Compound | Group) -> tuple[float, float] | None:
+    """The stops of what turns; None where it has none."""
+    return None if isinstance(shape, Group) else shape.turn_limits
+
+
 def fastest(task: Task, names: Names) -> dict[int, float]:
     """The speed of each shape, by its index, that is seen as 1: the top one of its actuators, or else its own."""
     speeds: dict[int, float] = {}
     for index, shape in enumerate(names.shapes):
-        x, y = shape.velocity
-        speeds[index] = abs(shape.angular_velocity) or float(np.sqrt(x * x + y * y)) or 1.0
+        x, y = (0.0, 0.0) if isinstance(shape, Group) else shape.velocity
+        spin = 0.0 if isinstance(shape, Group) else shape.angular_velocity
+        speeds[index] = abs(spin) or float(np.sqrt(x * x + y * y)) or 1.0
     for actuator in task.actuators:
         if not isinstance(actuator, Impulse):
             (index,) = names.bearers(actuator.shape)
