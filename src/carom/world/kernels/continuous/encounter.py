@@ -11,10 +11,6 @@ from carom.constants import (
     LIFT,
     PUSH_MOST,
     SEPARATION_SLACK,
-    SHORT_ELASTIC_FLIGHT,
-    SHORT_ELASTIC_FLIGHTS,
-    SHORT_FLIGHT,
-    SHORT_FLIGHTS,
     SHORT_GAP,
     SQUEEZE_GAP,
 )
@@ -33,7 +29,7 @@ from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
-from carom.world.kernels.continuous.flight import age_at
+from carom.world.kernels.continuous.flight import count_impact, is_tired
 from carom.world.kernels.continuous.island import join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
@@ -475,27 +471,3 @@ def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
         wake(state, ball)
         flight["kind"] = FLYING
         flight["slow_for"] = 0.0
-
-
-def is_tired(flight: FlightRow, elasticity: float, in_heap: bool) -> bool:
-    """True for a ball whose impacts, at an elasticity, follow too close on one another to be told apart.
-
-    What lies behind a ball of a heap throws it back at once onto what it has met, whatever its elasticity: there the
-    second impact takes the rest, as all that would follow together do.
-    """
-    if elasticity >= 1.0:
-        return bool(flight["short"] > SHORT_ELASTIC_FLIGHTS)
-    return bool(flight["short"] > (0 if in_heap else SHORT_FLIGHTS))
-
-
-def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:
-    """Count an impact of a ball, and whether it came too soon after the one before.
-
-    Too soon is where a part of the radius is more than the ball can have gone meanwhile, at the speed of approach.
-    """
-    flight["impacts"] += 1
-    seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
-    least = (SHORT_FLIGHT if elasticity < 1.0 else SHORT_ELASTIC_FLIGHT) * float(ball["radius"])
-    flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
-    flight["met_time"] = flight["time"]
-    flight["met_low"] = flight["low"]

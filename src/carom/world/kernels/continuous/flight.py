@@ -1,9 +1,10 @@
-"""A ball's flight: the instant it began, its acceleration, and where the ball is when."""
+"""A ball's flight: the instant it began, its acceleration, where the ball is when, and how soon it has ended."""
 
 from __future__ import annotations
 
 from math import inf, sqrt
 
+from carom.constants import SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
 from carom.geometry.path import Path, place_on
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.flight import EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
@@ -137,3 +138,27 @@ def consider_at(flight: FlightRow, time: float, low: float, event: int, partner:
     of_two = event == HIT_BALL or event == EXIT_BALL
     flight["event_key"] = min(row, partner) * KEY_SIDE + max(row, partner) + 1 if of_two else row * KEY_SIDE
     return True
+
+
+def is_tired(flight: FlightRow, elasticity: float, in_heap: bool) -> bool:
+    """True for a ball whose impacts, at an elasticity, follow too close on one another to be told apart.
+
+    What lies behind a ball of a heap throws it back at once onto what it has met, whatever its elasticity: there the
+    second impact takes the rest, as all that would follow together do.
+    """
+    if elasticity >= 1.0:
+        return bool(flight["short"] > SHORT_ELASTIC_FLIGHTS)
+    return bool(flight["short"] > (0 if in_heap else SHORT_FLIGHTS))
+
+
+def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:
+    """Count an impact of a ball, and whether it came too soon after the one before.
+
+    Too soon is where a part of the radius is more than the ball can have gone meanwhile, at the speed of approach.
+    """
+    flight["impacts"] += 1
+    seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
+    least = (SHORT_FLIGHT if elasticity < 1.0 else SHORT_ELASTIC_FLIGHT) * float(ball["radius"])
+    flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
+    flight["met_time"] = flight["time"]
+    flight["met_low"] = flight["low"]

@@ -1,4 +1,4 @@
-"""Impacts of balls in flight: momentum and energy, rest, sensors, the squeezed, and those that follow too close."""
+"""Impacts of balls in flight: momentum and energy, rest sensors and the squeezed."""
 
 from math import cos, hypot, sin, sqrt
 
@@ -6,15 +6,13 @@ import numpy as np
 import pytest
 
 from carom import Ball, Circle, Gate, Segment
-from carom.constants import ELASTIC_REBOUND, REBOUND, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHTS
+from carom.constants import ELASTIC_REBOUND, REBOUND
 from carom.rows.flight import ASLEEP, FLYING
 from carom.rows.hit import ENTER, HIT_ROW
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, PASSING
 from carom.world.kernels.continuous.encounter import (
-    count_impact,
     impact_of_balls,
     impact_with_shape,
-    is_tired,
     keep_push_out,
     stop_between,
 )
@@ -158,27 +156,6 @@ def test_a_rebound_that_would_end_at_once_is_a_contact_that_lasts() -> None:
         touched(arrays)
         assert find_relation(arrays.relations, arrays.balls.rows[0], LASTING, 0) == lasts
         assert arrays.balls.rows["vy"][0] == (0.0 if lasts else 0.5 * speed)
-
-
-@pytest.mark.parametrize(("elasticity", "most"), [(0.5, SHORT_FLIGHTS), (1.0, SHORT_ELASTIC_FLIGHTS)])
-def test_impacts_too_close_to_be_told_apart_end_as_ones_without_elasticity(elasticity: float, most: int) -> None:
-    arrays = in_flight(continuous_world(Ball((0, 0), 1)))
-    ball, flight = arrays.balls.rows[0], arrays.flights[0]
-    for count in range(most + 3):
-        flight["time"] = 1.0 + 1e-14 * count
-        count_impact(ball, flight, elasticity, 1.0)
-        assert flight["impacts"] == count + 1
-        assert flight["short"] == count
-        assert is_tired(flight, elasticity, False) == (count > most)
-        # What lies behind a ball of a heap throws it back at once; elastic ones hand on as long as they do elsewhere.
-        assert is_tired(flight, elasticity, True) == (count > (0 if elasticity < 1 else most))
-    # A flight that is long enough, at its speed, ends the count.
-    flight["time"] = 1.1
-    count_impact(ball, flight, elasticity, 1.0)
-    assert flight["short"] == 0
-    flight["time"] = 1.2
-    count_impact(ball, flight, elasticity, 1e-13)
-    assert flight["short"] == 1
 
 
 @pytest.mark.parametrize("speed", [3.0, 300.0])

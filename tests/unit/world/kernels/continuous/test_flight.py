@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from carom import Ball
+from carom.constants import SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHTS
 from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, CLEAR, EXIT_SHAPE, FLYING, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
 from carom.world.kernels.continuous.flight import (
@@ -14,9 +15,11 @@ from carom.world.kernels.continuous.flight import (
     age_at,
     age_now,
     consider,
+    count_impact,
     event_age,
     fall_freely,
     friction_of,
+    is_tired,
     path_at,
     path_box,
     path_of,
@@ -142,3 +145,24 @@ def test_events_of_a_flight_count_from_its_beginning_to_twice_the_digits() -> No
     flight["time"], flight["low"] = 1e9, 1e-9
     consider(flight, 1e-12, LOOK, NO_BALL)
     assert event_age(flight) == pytest.approx(1e-12, rel=1e-9)
+
+
+@pytest.mark.parametrize(("elasticity", "most"), [(0.5, SHORT_FLIGHTS), (1.0, SHORT_ELASTIC_FLIGHTS)])
+def test_impacts_too_close_to_be_told_apart_end_as_ones_without_elasticity(elasticity: float, most: int) -> None:
+    arrays = in_flight(continuous_world(Ball((0, 0), 1)))
+    ball, flight = arrays.balls.rows[0], arrays.flights[0]
+    for count in range(most + 3):
+        flight["time"] = 1.0 + 1e-14 * count
+        count_impact(ball, flight, elasticity, 1.0)
+        assert flight["impacts"] == count + 1
+        assert flight["short"] == count
+        assert is_tired(flight, elasticity, False) == (count > most)
+        # What lies behind a ball of a heap throws it back at once; elastic ones hand on as long as they do elsewhere.
+        assert is_tired(flight, elasticity, True) == (count > (0 if elasticity < 1 else most))
+    # A flight that is long enough, at its speed, ends the count.
+    flight["time"] = 1.1
+    count_impact(ball, flight, elasticity, 1.0)
+    assert flight["short"] == 0
+    flight["time"] = 1.2
+    count_impact(ball, flight, elasticity, 1e-13)
+    assert flight["short"] == 1
