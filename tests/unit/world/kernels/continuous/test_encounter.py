@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Ball, Circle, Gate, Segment
-from carom.constants import ELASTIC_REBOUND, REBOUND
+from carom.constants import ELASTIC_REBOUND, REBOUND, SHORT_FLIGHTS
 from carom.rows.flight import ASLEEP, FLYING
 from carom.rows.hit import ENTER, HIT_ROW
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, PASSING
