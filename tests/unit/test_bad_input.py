@@ -20,6 +20,7 @@ ELSEWHERE = {
     "study",
     "outlines",
     "World",
+    "Worlds",
     "Hits",
     "HitKind",
     "Recorder",

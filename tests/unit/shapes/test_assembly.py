@@ -14,7 +14,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "compound": lambda shapes, **options: carom.Compound(shapes, (0, 0), **options),
     "group": carom.Group,
 }
-BOTH = pytest.mark.parametrize(("kind", "make"), MAKERS.items(), ids=str)
+BOTH = pytest.mark.parametrize(("kind", "make"), MAKERS.items(), ids=MAKERS)
 
 
 def parts() -> list[carom.Shape]:
