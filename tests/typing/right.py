@@ -182,6 +182,15 @@ except carom.CompileError as error:
     print(error)
 
 
+brick: carom.Group = world.add(carom.Group(carom.outlines.rectangle(0, 0, 2, 1), once=True, name="brick"))
+print(brick.can_collide, brick.shapes[0].group)
+many = carom.Worlds(carom.scenes.pinball(), copies=4, threads=1)
+print(many.step(1 / 60)["world"], many.balls.position.shape, many.shapes["left flipper"].orientation.mean())
+one: carom.World = many[0]
+many.load(1, one)
+many.reset([0, 1])
+
+
 class Game(carom.World):
     """A subclass has what it likes."""
 
@@ -204,7 +213,7 @@ except carom.NonFiniteState as error:
     print(error.hits)
 except carom.ImpactLimit as error:
     print(error.balls, error.time, error.hits)
-except (carom.SceneError, carom.SnapshotError, carom.RecordingError, carom.SweepError) as error:
+except (carom.SceneError, carom.SnapshotError, carom.TaskError, carom.RecordingError, carom.SweepError) as error:
     print(error)
 except (carom.MissingExtra, carom.LostObject) as error:
     print(error)

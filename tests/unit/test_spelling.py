@@ -4,6 +4,7 @@ import enum
 import inspect
 import pickle
 from collections.abc import Callable, Iterator
+from copy import deepcopy
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -168,7 +169,7 @@ def test_what_cannot_be_set_says_so(kind: str, name: str) -> None:
 def test_subclasses_of_a_users_take_attributes_as_python_classes_do(kind: str) -> None:
     made = type("Own", (getattr(carom, kind),), {})
     thing = made.__new__(made)
-    made.__init__(thing, **{name: getattr(SUBJECTS[kind](), name) for name in required(kind)})
+    made.__init__(thing, **{name: deepcopy(getattr(SUBJECTS[kind](), name)) for name in required(kind)})
     thing.gravty = 3
     assert thing.gravty == 3
 

@@ -154,14 +154,17 @@ class CopiesOfShape:
 
     def _write_speeds(self, fields: dict[str, NDArray[np.float64]]) -> None:
         memory = self._worlds._common.memory
-        for column in self._columns:
-            rows = memory.moving[:, column]
+        # Parts that were added together stand together: then each copy's memory is gone through once.
+        first, last = int(self._columns[0]), int(self._columns[-1])
+        together = last - first == len(self._columns) - 1
+        for columns in [slice(first, last + 1)] if together else [slice(k, k + 1) for k in self._columns.tolist()]:
+            rows = memory.moving[:, columns]
             sent = rows["time_left"] > 0.0
             if sent.any():
                 for field in ("time_left", "velocity_x", "velocity_y", "angular_velocity"):
                     rows[field][sent] = 0.0
             for field, values in fields.items():
-                rows[field] = values
+                rows[field] = values[:, None]
         memory.state["wake"] = 1
 
     def _set_each(self, name: str, values: NDArray[np.float64]) -> None:

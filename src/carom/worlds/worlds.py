@@ -279,6 +279,7 @@ class Worlds(Spelled):
 
     # -- state -------------------------------------------------------------------------------------------------------
 
+    @spelled
     @alone
     def reset(self, where: ArrayLike | None = None) -> None:
         """Put copies back to the start, to the bit: all of them, or those of a mask or of indices.

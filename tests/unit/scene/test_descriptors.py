@@ -119,7 +119,8 @@ def leaves(model: type[BaseModel]) -> set[type[BaseModel]]:
 
 
 def test_no_descriptor_is_forgotten_here() -> None:
-    assert {model for model, _, _ in tables()} == leaves(Descriptor)
+    of_scenes = {model for model in leaves(Descriptor) if model.__module__.startswith("carom.scene.")}
+    assert {model for model, _, _ in tables()} == of_scenes
 
 
 @pytest.mark.parametrize(("place", "table", "field"), fields())

@@ -65,7 +65,7 @@ def test_the_json_schema_knows_every_field() -> None:
     assert schema["required"] == ["version"]
     assert schema["properties"].keys() == carom.Scene.model_fields.keys()
     kinds = {entry["$ref"].rpartition("/")[2] for entry in schema["properties"]["shapes"]["items"]["oneOf"]}
-    assert len(kinds) == 6
+    assert len(kinds) == 7
     for kind in kinds:
         definition = schema["$defs"][kind]
         assert definition["required"][0] == "kind"

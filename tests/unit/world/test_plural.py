@@ -27,7 +27,10 @@ def rows(kind: type[Plural[Any]], count: int) -> Plural[Any]:
 
 
 def test_all_kinds_are_seen() -> None:
-    of_hits, of_queries = {"Hits", "Touches", "Counts"}, {"CastHits", "Neighbors", "Contacts", "InBoxes", "Aims"}
+    of_hits, of_queries = (
+        {"Hits", "CopyHits", "Touches", "Counts"},
+        {"CastHits", "Neighbors", "Contacts", "InBoxes", "Aims"},
+    )
     assert {kind.__name__ for kind in KINDS} == of_hits | of_queries
 
 
