@@ -1,5 +1,5 @@
 """Breakout in fifty lines.
-=======================
+========================
 
 A brick is a group of four walls and four corners, which switches itself off at the first bounce off any of its parts.
 The paddle is an arc, so where the ball meets it says where it goes; here a hand that is never quite steady holds it. In

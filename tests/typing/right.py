@@ -184,11 +184,12 @@ except carom.CompileError as error:
 
 brick: carom.Group = world.add(carom.Group(carom.outlines.rectangle(0, 0, 2, 1), once=True, name="brick"))
 print(brick.can_collide, brick.shapes[0].group)
-many = carom.Worlds(carom.scenes.pinball(), copies=4, threads=1)
-print(many.step(1 / 60)["world"], many.balls.position.shape, many.shapes["left flipper"].orientation.mean())
-one: carom.World = many[0]
-many.load(1, one)
-many.reset([0, 1])
+copies_of_it = carom.Worlds(carom.scenes.pinball(), copies=4, threads=1)
+print(copies_of_it.step(1 / 60)["world"], copies_of_it.balls.position.shape)
+print(copies_of_it.shapes["left flipper"].orientation.mean())
+taken: carom.World = copies_of_it[0]
+copies_of_it.load(1, taken)
+copies_of_it.reset([0, 1])
 
 
 class Game(carom.World):
