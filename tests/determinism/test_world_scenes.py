@@ -10,10 +10,9 @@ from tests.worlds import bits
 
 STEPS = 1000
 #: Fewer where a step takes the interpreter long.
-FEWER_STEPS = {"galton": 500, "gas": 300, "pinball": 300}
+FEWER_STEPS = {"galton": 300, "gas": 200, "pinball": 300}
 
-#: Fewer balls where a scene has many, and walls. A heap takes the interpreter minutes: on the board there are fewer, and
-#: the steps, a sixtieth of a second elsewhere, are short.
+#: Fewer balls where a scene has many, and walls. A heap takes the interpreter minutes: on the board there are fewer.
 FEWER = {"ellipse": {"tolerance": 1e-6}, "galton": {"balls": 30}, "gas": {"balls": 100}}
 DT = {"galton": 1 / 400}
 
