@@ -103,6 +103,7 @@ def film(seed: int, phase: str, steps: int) -> list[Any]:
     return [*told, world.digest()]
 
 
+@pytest.mark.compiled
 @settings(max_examples=12)
 @given(seed=st.integers(0, 2**32))
 @example(seed=3)
@@ -132,6 +133,7 @@ def test_a_step_costs_no_more_for_shapes_that_are_far_away(options: dict[str, An
     assert costs[0][2] > 5
 
 
+@pytest.mark.compiled
 def test_a_long_step_ends_whatever_has_left_for_good() -> None:
     world = continuous_world(carom.Ball((0, 0), 1, velocity=(0, -1)))
     world.add(*(carom.Point((k, 5), motion="kinematic", velocity=(0.1 * k, 1.0)) for k in range(20)))
