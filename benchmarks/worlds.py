@@ -1,6 +1,7 @@
 """Many copies of a pinball table in one call, beside worlds that are stepped in turn from Python."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -51,10 +52,11 @@ def figures_of(
     workload: str, calls: dict[str, Callable[[], object]], sizes: list[int], rounds: int, tables: list[Any]
 ) -> list[Figure]:
     """Times of calls that step so many tables each, and what a copy takes in memory."""
-    seconds = race(calls, rounds)
+    timings = race(calls, rounds)
     return [
-        Figure(
-            workload, name, 1e6 * seconds[name] / size / SUBSTEPS, UNIT, remarks={"bytes a copy": str(bytes_of(many))}
+        replace(
+            timings[name].figure(workload, name, 1e6 / size / SUBSTEPS, UNIT),
+            remarks={"bytes a copy": str(bytes_of(many))},
         )
         for name, size, many in zip(calls, sizes, tables, strict=True)
     ]
@@ -81,9 +83,9 @@ def in_turn(rounds: int, count: int) -> list[Figure]:
                 engine.world.substeps, engine.time_step = SUBSTEPS, TIME_STEP  # type: ignore[attr-defined]
         calls[name] = partial(step_all, worlds, 1 if name.startswith("carom") else SUBSTEPS)
     race(calls, rounds=1)
-    seconds = race(calls, max(2, rounds // 4))
+    timings = race(calls, max(2, rounds // 4))
     return [
-        Figure(f"{count} worlds in turn", name, 1e6 * value / count / SUBSTEPS, UNIT) for name, value in seconds.items()
+        timing.figure(f"{count} worlds in turn", name, 1e6 / count / SUBSTEPS, UNIT) for name, timing in timings.items()
     ]
 
 
