@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
 from carom.rows.tables import Rows
-from carom.shapes.assembly import Assembly
 from carom.shapes.compound import Compound
+from carom.shapes.group import Group
 from carom.shapes.shape import Shape
-from carom.spelling import hint
 from carom.turns import having
+from carom.world.entering import members_of
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -39,24 +39,8 @@ class CopiesOfShapes:
         return f"<{len(self)} shapes in each of {len(self._worlds)} worlds>"
 
     def __getitem__(self, key: int | str) -> CopiesOfShape:
-        """One of them by its index, or by a name that no other has; parts of others are found by name too.
-
-        Raises:
-            InvalidArgument: There is none, or there are several of that name.
-        """
-        shapes = self._worlds._base.shapes
-        if not isinstance(key, str):
-            index = checks.whole("index", key, -len(shapes), len(shapes) - 1)
-            return CopiesOfShape(self._worlds, shapes[index])
-        parts = [part for shape in shapes if isinstance(shape, Assembly) for part in shape.shapes]
-        named = [shape for shape in (*shapes, *parts) if shape.name is not None]
-        found = [shape for shape in named if shape.name == key]
-        if len(found) > 1:
-            raise checks.refuse("name", f"must be that of one shape, not of {len(found)}; take an index", key)
-        if not found:
-            said = hint(key, [shape.name or "" for shape in named])
-            raise checks.refuse("name", f"must be that of a shape{f' ({said})' if said else ''}", key)
-        return CopiesOfShape(self._worlds, found[0])
+        """The one that `World.shapes` gives for an index or a name, in all copies; raises as that does."""
+        return CopiesOfShape(self._worlds, self._worlds._base.shapes[key])
 
 
 class CopiesOfShape:
@@ -68,11 +52,11 @@ class CopiesOfShape:
 
     __slots__ = ("_columns", "_rows", "_shape", "_worlds")
 
-    def __init__(self, worlds: Worlds, shape: Shape | Assembly) -> None:
+    def __init__(self, worlds: Worlds, shape: Shape | Compound | Group) -> None:
         self._worlds = worlds
         self._shape = shape
         table = worlds._base._arrays.shapes
-        self._rows = np.array([table.index(part) for part in parts_of(shape)])
+        self._rows = np.array([table.index(part) for part in members_of(shape)])
         #: Where its rows are among those of the kinematic shapes; -1 where it is static.
         moving = worlds._common.moving
         places = np.searchsorted(moving, self._rows)
@@ -105,6 +89,8 @@ class CopiesOfShape:
     @property
     def position(self) -> NDArray[np.float64]:
         """Where it is, of shape (copies, 2); a copy. To set it takes some tenths of a millisecond for each copy."""
+        if self._columns[0] < 0:
+            return np.tile(self._shape.position, (len(self._worlds), 1))
         return np.stack([self._first["cx"], self._first["cy"]], axis=1)
 
     @position.setter
@@ -141,11 +127,9 @@ class CopiesOfShape:
         self._command("velocity", value, {"velocity_x": x, "velocity_y": y})
 
     def _refuse_static(self, name: str, value: object) -> None:
-        """Raise where all copies share it, as it stands, or where it is a compound that says how it moves."""
+        """Raise where all copies share it, as it stands."""
         if self._columns[0] < 0:
             raise checks.refuse(name, "must be that of a kinematic shape; a static one is shared by all copies", value)
-        if isinstance(self._shape, Shape):
-            self._shape._refuse_part(name, value)
 
     def _command(self, name: str, value: object, fields: dict[str, NDArray[np.float64]]) -> None:
         """Write speeds into the rows of all parts; what was sent somewhere rests first, as in a single world."""
@@ -155,9 +139,9 @@ class CopiesOfShape:
     def _write_speeds(self, fields: dict[str, NDArray[np.float64]]) -> None:
         memory = self._worlds._common.memory
         # Parts that were added together stand together: then each copy's memory is gone through once.
-        first, last = int(self._columns[0]), int(self._columns[-1])
-        together = last - first == len(self._columns) - 1
-        for columns in [slice(first, last + 1)] if together else [slice(k, k + 1) for k in self._columns.tolist()]:
+        first, end = int(self._columns[0]), int(self._columns[0]) + len(self._columns)
+        together = np.array_equal(self._columns, np.arange(first, end))
+        for columns in [slice(first, end)] if together else [slice(k, k + 1) for k in self._columns.tolist()]:
             rows = memory.moving[:, columns]
             sent = rows["time_left"] > 0.0
             if sent.any():
@@ -176,7 +160,7 @@ class CopiesOfShape:
         memory = self._worlds._common.memory
         scratch = self._worlds._scratch()
         table = scratch._arrays.shapes
-        shape: Any = scratch.object(parts_of(self._shape)[0].id or 0)
+        shape: Any = scratch.object(members_of(self._shape)[0].id or 0)
         shape = shape.compound if isinstance(self._shape, Compound) else shape
         rows = memory.moving[:, self._columns].copy()
         for copy, value in enumerate(values):
@@ -240,25 +224,17 @@ class CopiesOfShape:
         return self._counted(1)
 
     def _counted(self, which: int) -> NDArray[np.int64]:
-        """One of the counts. Those of a part are not known: they are counted for its compound."""
+        """One of the counts."""
         common = self._worlds._common
-        if isinstance(self._shape, Shape) and self._shape._whole is not None:
-            must = f"must be no part: what is met is counted for the {self._shape._whole.kind}"
-            raise checks.refuse("shape", must, self._shape)
-        column = int(common.columns[parts_of(self._shape)[0].id or 0])
+        column = int(common.columns[members_of(self._shape)[0].id or 0])
         return common.counts[:, column, which].copy()
-
-
-def parts_of(shape: Shape | Assembly) -> Sequence[Shape]:
-    """The shapes that have rows of their own: all parts, or the shape itself."""
-    return shape._parts if isinstance(shape, Assembly) else [shape]
 
 
 def columns_of(world: World) -> NDArray[np.int64]:
     """How many shapes, compounds and groups a world has; then, by id, which of them a shape is or is part of, or -1."""
     columns = np.full(int(world._states[0]["next_id"]), -1, np.int64)
     for column, shape in enumerate(world.shapes):
-        for part in parts_of(shape):
+        for part in members_of(shape):
             columns[part.id or 0] = column
     columns[0] = len(world.shapes)
     return columns
