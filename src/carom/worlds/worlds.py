@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom import checks
 from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState, SnapshotError
 from carom.rows.shape import KINEMATIC
-from carom.rows.state import DISCRETE, DONE, NOT_FINITE, TOO_MANY_IMPACTS
+from carom.rows.state import DISCRETE, DONE, NOT_FINITE, REFUSED, TOO_MANY_IMPACTS
 from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import Turn, alone
@@ -148,6 +148,7 @@ class Worlds(Spelled):
             NonFiniteState: Some copies hold NaN or infinity: they are as they were before the step and are stepped no
                 more, see `failed`. All others have made the step, whose hits are in the exception's `hits`.
             ImpactLimit: Balls of some copies had `max_impacts`; there the step ended.
+            KeyboardInterrupt: Each copy has made the whole call or nothing of it; the hits are lost.
             WorldBusy: They are in use, in another thread or by what has called this.
         """
         return self._advance(1, checks.non_negative("dt", dt))
@@ -190,26 +191,28 @@ class Worlds(Spelled):
         return hits
 
     def _tell_faults(self, hits: CopyHits) -> None:
-        """Raise where copies were refused in the last call, which is told once."""
-        faults = self._common.faults
-        new = np.flatnonzero(faults > 0)
-        if not len(new):
-            return
-        first, status = int(new[0]), int(faults[new[0]])
-        where = f"{_listed(new)} of {len(self)} worlds"
-        arrays = self._stage_of(first).arrays
-        over = faults == TOO_MANY_IMPACTS
-        faults[over] = DONE
-        # Noted, but told.
-        faults[faults > 0] *= -1
-        error: InvalidArgument | NonFiniteState | ImpactLimit
-        if status == NOT_FINITE:
-            error = NonFiniteState(f"{where} are not finite: as they were before the step, and not stepped any more")
-        else:
-            error = refusal(status, arrays)
-            error.args = (f"{where}: {error}",)
-        error.hits = hits
-        raise error
+        """Raise where copies were refused in the last call, which is told once: one kind, with notes of the others."""
+        faults, count = self._common.faults, len(self)
+        errors: list[InvalidArgument | NonFiniteState | ImpactLimit] = []
+        for status in (NOT_FINITE, REFUSED, TOO_MANY_IMPACTS):
+            found = np.flatnonzero(faults == status)
+            if not len(found):
+                continue
+            where = f"{_listed(found)} of {count} worlds"
+            # One that had too many impacts goes on; the others are left out from now on.
+            faults[found] = DONE if status == TOO_MANY_IMPACTS else -status
+            if status == NOT_FINITE:
+                words = f"{where} are not finite: as they were before the step, and not stepped any more"
+                errors.append(NonFiniteState(words))
+            else:
+                error = refusal(status, self._stage_of(int(found[0])).arrays)
+                error.args = (f"{where}: {error}",)
+                errors.append(error)
+        if errors:
+            for other in errors[1:]:
+                errors[0].add_note(str(other))
+            errors[0].hits = hits
+            raise errors[0]
 
     # -- what is in them ---------------------------------------------------------------------------------------------
 
@@ -345,13 +348,15 @@ class Worlds(Spelled):
         """
         parts, counts = keeping.unpacked(snapshot, self._common.counts.shape)
         self._see_changes()
-        before = [self._snapshot_of(copy) for copy in range(len(self))]
+        before, faults = [self._snapshot_of(copy) for copy in range(len(self))], self._common.faults.copy()
         try:
             for copy, part in enumerate(parts):
                 self._load(copy, part)
-        except InvalidArgument as error:
+        except (InvalidArgument, SnapshotError) as error:
             for copy, part in enumerate(before):
                 self._load(copy, part)
+            self._common.faults[...] = faults
+            self._forget_lent()
             raise SnapshotError(f"snapshot must be of copies of the same scene: {error}") from None
         self._common.counts[...] = counts
         self._forget_lent()
@@ -417,7 +422,7 @@ class Worlds(Spelled):
 
     def _switch(self, rows: NDArray[np.signedinteger[Any]]) -> None:
         """Give every copy switches of its own for static shapes, which so far are the same in all."""
-        common, shapes = self._common, self._stages[0].arrays.shapes.rows
+        common, shapes = self._common, self._base._arrays.shapes.rows
         first = len(common.switched)
         common.switched = np.concatenate([common.switched, rows.astype(np.int32)])
         self._resize(len(common.switched), 0)

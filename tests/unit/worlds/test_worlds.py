@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import carom
+from carom.worlds import keeping
 from tests.worlds import game_table, world_of
 
 DT = 1 / 50
@@ -67,6 +68,26 @@ def test_a_copy_that_is_not_finite_is_stopped_alone_and_told_once() -> None:
     assert worlds.failed.tolist() == []
     worlds.step(DT)
     assert worlds.time[1] == DT
+
+
+def test_what_is_wrong_in_several_copies_is_told_at_once() -> None:
+    worlds = carom.Worlds(game_table("discrete"), 4, threads=1)
+    worlds.balls.velocity[3, 0] = np.nan
+    worlds.balls.mass[1, 2] = -1.0
+    with pytest.raises(carom.NonFiniteState, match=r"^3 of 4 worlds are not finite") as caught:
+        worlds.step(DT)
+    (note,) = caught.value.__notes__
+    assert note.startswith("1 of 4 worlds: mass must be positive")
+    assert worlds.failed.tolist() == [1, 3]
+    worlds.step(DT)
+
+
+def test_shapes_are_switched_after_an_interruption() -> None:
+    worlds = carom.Worlds(game_table("discrete"), 2, threads=1)
+    worlds._stages = []
+    worlds.shapes["bumper"].can_collide = [True, False]
+    worlds.step(DT)
+    assert worlds.shapes["bumper"].can_collide.tolist() == [True, False]
 
 
 def test_a_ball_that_may_not_be_is_named() -> None:
@@ -177,6 +198,20 @@ def test_a_snapshot_of_other_copies_is_refused() -> None:
         with pytest.raises(carom.SnapshotError):
             worlds.restore(wrong)  # type: ignore[arg-type]
     assert worlds.digests() == before
+
+
+def test_a_snapshot_of_which_a_part_is_damaged_changes_nothing() -> None:
+    worlds = carom.Worlds(game_table("discrete"), 3, threads=1)
+    whole = worlds.snapshot()
+    worlds.balls.velocity[2, 0] = np.nan
+    with pytest.raises(carom.NonFiniteState):
+        worlds.step(DT)
+    before = worlds.digests()
+    parts, counts = keeping.unpacked(whole, (3, len(worlds.shapes), 2))
+    with pytest.raises(carom.SnapshotError, match="damaged"):
+        worlds.restore(keeping.packed([parts[0], parts[1], parts[2][:-1] + b"?"], counts))
+    assert worlds.digests() == before
+    assert worlds.failed.tolist() == [2]
 
 
 @pytest.mark.parametrize("made", [copy.deepcopy, copy.copy, lambda worlds: pickle.loads(pickle.dumps(worlds))])
