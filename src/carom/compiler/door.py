@@ -11,6 +11,7 @@ import ctypes
 import os
 import threading
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -267,12 +268,10 @@ class At:
         at: The same, called with the block's address alone.
     """
 
-    __slots__ = ("at",)
-
     def __init__(self, at: Kernel) -> None:
         self.at = at
 
-    @property
+    @cached_property
     def address(self) -> int:
         """Where its code is, which other compiled code calls likewise, as C does."""
         kernel: Any = self.at

@@ -15,11 +15,10 @@ from carom.errors import InvalidArgument, SnapshotError
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE
 from carom.rows.tables import Rows
-from carom.world.kernels.step.relations import is_of_balls
 from carom.world.settings import SETTINGS, Settings
 from carom.world.snapshot import fill, hash_of, header_of, payload, read, sealed
 from carom.world.snapshot_check import Contents
-from carom.world.tables import Arrays
+from carom.world.tables import OF_BALLS, Arrays
 from carom.world.views import LENT
 from carom.world.waking import will_wake
 from carom.world.world import World
@@ -119,7 +118,7 @@ def with_more(arrays: Arrays, base: World, entering: Rows) -> Contents:
     rows["relation"], rows["asleep"], rows["still_time"], rows["stray"] = NO_RELATION, 0, 0.0, 0
     places = np.searchsorted(contents.balls["id"], rows["id"])
     relations = contents.relations.copy()
-    for column, of_balls in ((1, np.ones(len(relations), np.bool_)), (2, _of_balls(relations))):
+    for column, of_balls in ((1, np.ones(len(relations), np.bool_)), (2, np.isin(relations[:, 0], OF_BALLS))):
         index = relations[of_balls, column]
         relations[of_balls, column] = index + np.searchsorted(places, index, side="right")
     courses = contents.courses
@@ -127,11 +126,6 @@ def with_more(arrays: Arrays, base: World, entering: Rows) -> Contents:
         courses = np.insert(courses, places, np.zeros(len(rows), courses.dtype))
     balls = np.insert(contents.balls, places, rows)
     return replace(contents, balls=balls, relations=relations, courses=courses)
-
-
-def _of_balls(relations: Rows) -> NDArray[np.bool_]:
-    """Which relations are of two balls."""
-    return np.array([is_of_balls(int(kind)) for kind in relations[:, 0]], np.bool_)
 
 
 # -- all copies -------------------------------------------------------------------------------------------------------
