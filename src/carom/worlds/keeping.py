@@ -31,10 +31,10 @@ HASH_SIZE = 16
 # -- one copy ---------------------------------------------------------------------------------------------------------
 
 
-def fresh(world: World) -> Arrays:
-    """Tables of their own that are those of a world."""
+def fresh(contents: Contents) -> Arrays:
+    """New tables that are what a snapshot holds."""
     arrays = Arrays()
-    fill(arrays, read(world.snapshot()))
+    fill(arrays, contents)
     return arrays
 
 
@@ -62,10 +62,10 @@ def _header(base: World, arrays: Arrays) -> dict[str, Any]:
     return {**header, "names": {key: name for key, name in header["names"].items() if int(key) in here}}
 
 
-def contents_of(base: World, common: Common, snapshot: bytes) -> Contents:
-    """What a snapshot of a world holds; raises `InvalidArgument` where that is no copy of another world."""
+def contents_of(origin: Contents, common: Common, snapshot: bytes) -> Contents:
+    """What a snapshot of a world holds; raises `InvalidArgument` where that is no copy of the one that was copied."""
     contents = read(snapshot)
-    wrong = _difference(read(base.snapshot()), contents, common)
+    wrong = _difference(origin, contents, common)
     if wrong:
         raise InvalidArgument(f"world must be of the same scene as the copies; {wrong} not the same")
     return contents

@@ -18,6 +18,7 @@ from carom.rows.tables import Rows
 from carom.spelling import Spelled, spelled
 from carom.turns import Turn, alone
 from carom.world.refusal import refusal
+from carom.world.snapshot import read
 from carom.world.statistics import COUNTERS
 from carom.world.world import MOST_STEPS, World
 from carom.worlds import keeping
@@ -80,7 +81,8 @@ class Worlds(Spelled):
         most = _threads() if threads is None else checks.whole("threads", threads, 1, 1024)
         checks.flag("keep_hits", keep_hits)
         self._base = _world_of(scene)
-        arrays = keeping.fresh(self._base)
+        self._origin = read(self._base.snapshot())
+        arrays = keeping.fresh(self._origin)
         moving = np.flatnonzero(arrays.shapes.used["motion"] == KINEMATIC)
         switched = np.flatnonzero((arrays.shapes.used["motion"] != KINEMATIC) & (arrays.shapes.used["once"] != 0))
         flying = arrays.states[0]["detection"] != DISCRETE
@@ -378,7 +380,7 @@ class Worlds(Spelled):
 
     def _stage(self) -> Stage:
         """One more stage."""
-        self._stages.append(Stage(keeping.fresh(self._base), self._common))
+        self._stages.append(Stage(keeping.fresh(self._origin), self._common))
         return self._stages[-1]
 
     def _stage_of(self, copy: int) -> Stage:
@@ -402,7 +404,7 @@ class Worlds(Spelled):
     def _load(self, copy: int, snapshot: bytes) -> None:
         """Make a copy what a snapshot of a world says."""
         stage = self._stage_of(copy)
-        contents = keeping.contents_of(self._base, self._common, snapshot)
+        contents = keeping.contents_of(self._origin, self._common, snapshot)
         switched = keeping.switched_of(self._common, stage.arrays, contents)
         if len(switched):
             self._switch(switched)
