@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import multiprocessing
+import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from itertools import pairwise
@@ -42,3 +44,11 @@ class Crew:
             stop.set()
             wait(others)
             raise
+
+
+def cores() -> int:
+    """How many threads there are unless a user says: one a core, and one in a process that another one has started."""
+    if multiprocessing.parent_process() is not None:
+        return 1
+    available = getattr(os, "sched_getaffinity", None)
+    return len(available(0)) if available is not None else os.cpu_count() or 1

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import os
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +25,7 @@ from carom.worlds.hits import CopyHits, gathered
 from carom.worlds.memory import RELATIONS, Memory
 from carom.worlds.shapes import CopiesOfShapes, columns_of
 from carom.worlds.stage import Common, Stage
-from carom.worlds.threads import Crew
+from carom.worlds.threads import Crew, cores
 
 if TYPE_CHECKING:
     from carom.scene import Scene
@@ -78,7 +76,7 @@ class Worlds(Spelled):
         keep_hits: bool = True,
     ) -> None:
         count = checks.whole("copies", copies, 1, MOST_COPIES)
-        most = _threads() if threads is None else checks.whole("threads", threads, 1, 1024)
+        most = cores() if threads is None else checks.whole("threads", threads, 1, 1024)
         checks.flag("keep_hits", keep_hits)
         self._base = _world_of(scene)
         self._origin = read(self._base.snapshot())
@@ -113,6 +111,7 @@ class Worlds(Spelled):
         memory.words[...] = self._start.words
         self._in_play = memory.in_play.copy()
         self._lent: Rows | None = None
+        self._owe_again(np.arange(count))
 
     def __len__(self) -> int:
         """The number of copies."""
@@ -299,9 +298,16 @@ class Worlds(Spelled):
         common.counts[which] = 0
         self._in_play[which] = common.memory.in_play[which]
         self._forget_lent()
-        if self._pending:
-            gone = set(range(len(self))) if where is None else set(np.arange(len(self))[which].tolist())
-            self._pending = {copy: rows for copy, rows in self._pending.items() if copy not in gone}
+        self._owe_again(np.arange(len(self))[which])
+
+    def _owe_again(self, copies: NDArray[np.int64]) -> None:
+        """Let copies have those hits to give, and no others, that the world had when it was copied."""
+        owed = self._origin.hits
+        if len(owed) or self._pending:
+            for copy in copies.tolist():
+                self._pending.pop(copy, None)
+                if len(owed):
+                    self._pending[copy] = owed
 
     @alone
     def __getitem__(self, copy: int) -> World:
@@ -452,14 +458,6 @@ def _world_of(scene: Any) -> World:
     if not isinstance(scene, Scene):
         raise checks.refuse("scene", "must be a Scene, a World or the name of a shipped scene", scene)
     return scene.build()
-
-
-def _threads() -> int:
-    """How many threads there are by default."""
-    if multiprocessing.parent_process() is not None:
-        return 1
-    available = getattr(os, "sched_getaffinity", None)
-    return len(available(0)) if available is not None else os.cpu_count() or 1
 
 
 def _which(name: str, where: Any, count: int) -> NDArray[Any]:

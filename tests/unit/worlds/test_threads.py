@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 import carom
-from carom.worlds import threads, worlds
+from carom.worlds import threads
 from carom.worlds.stage import Stage
 from tests.worlds import game_table
 
@@ -40,6 +40,6 @@ def test_an_interruption_stops_all_and_leaves_whole_copies(monkeypatch: pytest.M
 
 
 def test_a_process_that_another_has_started_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert worlds._threads() >= 1
+    assert threads.cores() >= 1
     monkeypatch.setattr(multiprocessing, "parent_process", object)
-    assert worlds._threads() == 1
+    assert threads.cores() == 1

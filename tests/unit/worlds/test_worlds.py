@@ -150,6 +150,22 @@ def test_hits_that_nobody_asks_for_are_counted_all_the_same() -> None:
     assert by_name["sensor"].tolist() == counted.shapes["sensor"].entries.tolist()
 
 
+def test_hits_that_the_world_still_had_to_give_are_given_by_each() -> None:
+    ball = carom.Ball((0, 0), 0.5)
+    world = world_of(carom.Circle((0, 0), 2.0, sensor=True, solid=True), ball, carom.Ball((9, 9), 0.5))
+    world.step(DT)
+    world.remove(ball)
+    worlds = carom.Worlds(world, 2, threads=1)
+    assert worlds.digests() == [world.digest()] * 2
+    for _ in range(2):
+        assert [(hit.world, hit.kind) for hit in worlds.step(DT)] == [(0, carom.HitKind.EXIT), (1, carom.HitKind.EXIT)]
+        assert len(worlds.step(DT)) == 0
+        worlds.reset()
+    worlds.step(DT)
+    worlds.reset([1])
+    assert worlds.step(DT)["world"].tolist() == [1]
+
+
 def test_statistics_are_those_of_each() -> None:
     worlds = carom.Worlds(game_table("discrete"), 2, threads=1)
     worlds.run(0.5, DT)
