@@ -45,6 +45,14 @@ def launch_count(request: pytest.FixtureRequest) -> int:
     return 10_000_000 if request.config.getoption("--campaign") else 100_000
 
 
+@pytest.fixture(scope="session")
+def step_compiled() -> None:
+    """For tests against the clock: a step of the continuous mode need not be compiled in them any more."""
+    from tests.worlds import continuous_world
+
+    continuous_world().step(1e-3)
+
+
 def needs_kernels(item: pytest.Item) -> bool:
     """Whether a test may have to wait for a kernel to be compiled; doctests may."""
     if not item.path.is_relative_to(TESTS):

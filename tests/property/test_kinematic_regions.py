@@ -94,7 +94,8 @@ def film(seed: int, phase: str, steps: int) -> list[Any]:
     kinematic = [shape for shape in world.shapes if shape.motion == carom.Motion.KINEMATIC]
     told: list[Any] = []
     for _ in range(steps):
-        told.append(bits(world.step(random.choice(STEPS))))
+        with within(10):
+            told.append(bits(world.step(random.choice(STEPS))))
         if random.random() < 0.4:
             change(random, random.choice(kinematic), world.balls)
     told += [bits(world.balls.position), bits(world.balls.velocity)]
@@ -104,6 +105,7 @@ def film(seed: int, phase: str, steps: int) -> list[Any]:
 
 
 @pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
 @settings(max_examples=12)
 @given(seed=st.integers(0, 2**32))
 @example(seed=3)
@@ -112,8 +114,13 @@ def test_what_is_found_by_regions_is_what_asking_all_finds(seed: int) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
 @settings(max_examples=150)
 @given(seed=st.integers(0, 2**32))
+@example(seed=2366)
+@example(seed=2456)
+@example(seed=3101)
 def test_what_is_found_by_regions_is_what_asking_all_finds_for_long(seed: int) -> None:
     assert film(seed, "grid", 24) == film(seed, "brute", 24)
 
@@ -134,6 +141,7 @@ def test_a_step_costs_no_more_for_shapes_that_are_far_away(options: dict[str, An
 
 
 @pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
 def test_a_long_step_ends_whatever_has_left_for_good() -> None:
     world = continuous_world(carom.Ball((0, 0), 1, velocity=(0, -1)))
     world.add(*(carom.Point((k, 5), motion="kinematic", velocity=(0.1 * k, 1.0)) for k in range(20)))

@@ -15,7 +15,7 @@ from carom.geometry.figures import ArcGeometry, CircleGeometry, SegmentGeometry
 from carom.geometry.gap import gap_circle, gap_segment
 from carom.geometry.overlap import overlap_arc, overlap_circle, overlap_gate, overlap_point, overlap_segment
 from carom.geometry.reach import in_wide_sector
-from carom.geometry.vector import dot
+from carom.geometry.vector import dot, length
 from carom.rows.shape import ARC, CIRCLE, GATE, POINT, SEGMENT, ShapeRow
 
 
@@ -124,6 +124,14 @@ def bend_center(shape: ShapeRow) -> tuple[float, float] | None:
     if is_round(shape["kind"]):
         return float(shape["cx"]), float(shape["cy"])
     return None
+
+
+def lacks_room(shape: ShapeRow, x: float, y: float, radius: float) -> bool:
+    """True if a ball with its centre at (x, y) is in a ring, or an arc, that is smaller than the ball."""
+    r = float(shape["radius"])
+    if r >= radius or not (shape["kind"] == ARC or (shape["kind"] == CIRCLE and shape["solid"] == 0)):
+        return False
+    return length(x - float(shape["cx"]), y - float(shape["cy"])) <= r
 
 
 def in_reach(shape: ShapeRow, x: float, y: float) -> bool:

@@ -2,12 +2,12 @@
 
 from functools import partial
 from math import acos, asin, cos, hypot, pi, sin
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
 
-from carom import Arc, Ball, Circle, Compound, Point, Segment, guard_points
+from carom import Arc, Ball, Circle, Compound, Gate, Point, Segment, guard_points
 from carom.shapes.shape import Shape
 from tests.worlds import continuous_world
 
@@ -174,3 +174,31 @@ def test_nothing_gets_into_a_flipper(spin: float, elasticity: float) -> None:
     assert world.statistics.stalled == 0
     if elasticity == 1:
         assert np.hypot(*world.balls.velocity.T).max() < abs(spin) * 8 * 200
+
+
+@pytest.mark.parametrize("broad_phase", ["grid", "brute"])
+@pytest.mark.parametrize("gravity", [0.0, -1.0])
+@pytest.mark.parametrize("sensor", [False, True])
+@pytest.mark.parametrize("kind", ["point", "segment", "circle", "arc", "gate", "flipper"])
+def test_what_comes_to_rest_behind_a_ball_is_not_met(
+    kind: str, sensor: bool, gravity: float, broad_phase: Literal["grid", "brute"]
+) -> None:
+    # The ball is far beyond when the shape stops across its way.
+    moved: dict[str, Any] = {"motion": "kinematic", "sensor": sensor}
+    shape: Point | Segment | Circle | Arc | Gate = {
+        "point": lambda: Point((1, 5), **moved),
+        "segment": lambda: Segment((1, 3), (1, 7), **moved),
+        "circle": lambda: Circle((1, 5), 0.5, **moved),
+        "arc": lambda: Arc((0, 5), 1, -1.5, 1.5, **moved),
+        "gate": lambda: Gate((1, 3), (1, 7), direction=(1, 0), **moved),
+        "flipper": lambda: Segment((1, 1), (3, 1), pivot=(1, 1), turn_limits=(-pi / 2, pi), **moved),
+    }[kind]()
+    world = continuous_world(shape, gravity=(0, gravity), broad_phase=broad_phase)
+    ball = world.add(Ball((0, 0), 0.2, velocity=(10, 0)))
+    if kind == "flipper":
+        shape.angular_velocity = -pi / 4
+    else:
+        shape.move_to((shape.position[0], 0), dt=2.0)
+    hits = world.run(4.0, 0.5)
+    assert len(hits) == 0
+    assert ball.position == pytest.approx((40.0, 8.0 * gravity), abs=1e-13)

@@ -1,11 +1,13 @@
 """Balls squeezed between moving and static shapes: the static one holds, the moving one goes over the ball."""
 
-from math import hypot
+from math import cos, hypot, sin
+from random import Random
 
 import numpy as np
 import pytest
 
-from carom import Ball, Circle, Point, Segment
+from carom import Arc, Ball, Circle, Point, Segment
+from tests.clock import within
 from tests.worlds import continuous_world
 
 
@@ -58,3 +60,27 @@ def test_a_pin_goes_over_a_ball_in_a_corner() -> None:
     assert ball.position[0] <= -0.5 + 1e-6
     assert ball.position[1] >= 0.5 - 1e-6
     assert world.statistics.stalled == 0
+
+
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(40))
+def test_a_ball_flies_out_of_a_ring_smaller_than_itself_as_if_there_were_none(seed: int) -> None:
+    random = Random(seed)
+    radius = 10 ** random.uniform(-3, 3)
+    ring = radius * (1 - 10 ** random.uniform(-12, -0.1))
+    motion = random.choice(({}, {"motion": "kinematic"}, {"motion": "kinematic", "angular_velocity": 1.0}))
+    motion = random.choice((motion, {"motion": "kinematic", "velocity": (0.3 * radius, -0.2 * radius)}))
+    bend = Circle((0, 0), ring, **motion) if random.random() < 0.5 else Arc((0, 0), ring, 0, 6.2, **motion)
+    bend.elasticity = random.choice((0.0, 0.7, 1.0))
+    away, angle, speed = ring * random.uniform(0, 0.99), random.uniform(0, 7), 5 * radius
+    gravity = random.choice((0, -10 * radius))
+    world = continuous_world(bend, gravity=(0, gravity))
+    velocity = speed * cos(2 * angle), speed * sin(2 * angle)
+    ball = world.add(Ball((away * cos(angle), away * sin(angle)), radius, velocity=velocity))
+    with within(10):
+        world.step(1e-6)  # it is moved apart as far as may be
+        vx, vy = ball.velocity
+        hits = world.run(1, 1 / 64)
+    assert ball.velocity == pytest.approx((vx, vy + gravity), abs=1e-9 * speed)
+    assert len(hits) == 0
+    assert world.statistics.squeezed <= 1

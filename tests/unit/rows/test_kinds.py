@@ -112,6 +112,19 @@ def test_what_keeps_a_ball_on_a_shape_at_rest(kind: str) -> None:
     assert held == pytest.approx(-speed * speed / bend)
 
 
+@KINDS
+def test_only_in_a_hollow_bend_smaller_than_itself_a_ball_lacks_room(kind: str) -> None:
+    row = row_of(kind).copy()
+    row["solid"] = 0
+    x, y, r = float(row["cx"]), float(row["cy"]), float(row["radius"])
+    hollow = kind in {"circle", "arc"}
+    assert kinds.lacks_room(row, x + 0.5 * r, y, 1.01 * r) == hollow
+    assert not kinds.lacks_room(row, x + 0.5 * r, y, r)
+    assert not kinds.lacks_room(row, x + 1.01 * r, y, 1.01 * r)
+    row["solid"] = 1
+    assert kinds.lacks_room(row, x + 0.5 * r, y, 1.01 * r) == (kind == "arc")
+
+
 # -- a kind that there is not ----------------------------------------------------------------------------------------
 
 NEARING = Path(-3.0, -3.0, 1.0, 1.0, 0.0, 0.0)
@@ -136,6 +149,7 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[Any, ...], Any]] = {
     ),
     "ray_shape": (kinds_in_motion.ray_shape, (-3.0, -3.0, 9.0, 6.0, 6.0), None),
     "bend_center": (kinds.bend_center, (), None),
+    "lacks_room": (kinds.lacks_room, (0.0, 0.0, 9.0), False),
 }
 
 #: Those that write; each has a test of its own here.

@@ -21,7 +21,7 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, FlightRow
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
-from carom.rows.kinds import bend_center, lets_pass
+from carom.rows.kinds import bend_center, lacks_room, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
@@ -80,7 +80,10 @@ def impact_with_shape(
     gap, nx, ny = found
     # One at rest may have been put onto the ball.
     pushes = is_moving(shape) or (shape["motion"] == KINEMATIC and gap < -LIFT * radius)
-    if pushes and is_squeezed(state, ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny):
+    # In what is smaller than itself a ball would be put from one side onto the other, without end.
+    if lacks_room(shape, fx, fy, radius) or (
+        pushes and is_squeezed(state, ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny)
+    ):
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return

@@ -8,7 +8,8 @@ from __future__ import annotations
 from math import copysign, inf, sqrt
 
 from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
-from carom.geometry.path import Path, place_on
+from carom.geometry.path import Path, path_after, place_on
+from carom.geometry.vector import larger
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.index import CellRow, IndexRow
@@ -17,12 +18,12 @@ from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
 from carom.rows.relation import RelationRow
-from carom.rows.shape import ShapeRow
+from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
-from carom.world.kernels.continuous.instants import later
+from carom.world.kernels.continuous.instants import later, seconds_since
 from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
@@ -231,11 +232,23 @@ def predict_members(
             and not is_related(relations, ball, row)
         ):
             state["full_tests"] += 1
-            time = impact_at_rest(shape, path, radius, event_age(flight))
+            came = age_of_rest(shape, flight)
+            if came == 0.0:
+                time = impact_at_rest(shape, path, radius, event_age(flight))
+            else:
+                time = impact_at_rest(shape, path_after(path, came), radius, event_age(flight) - came)
             if time is not None:
-                consider_shape(flight, shapes, 0.0 + time, row)
+                consider_shape(flight, shapes, came + time, row)
             if is_entered_past_ends(ball, shape):
                 predict_entry(ball, flight, shape, row, begin)
+
+
+def age_of_rest(shape: ShapeRow, flight: FlightRow) -> float:
+    """The age of a flight from which on a shape at rest has stood where it does: 0 unless it came to rest since."""
+    if shape["motion"] != KINEMATIC:
+        return 0.0
+    since, low = float(shape["since"]), float(shape["since_low"])
+    return larger(seconds_since(since, low, float(flight["time"]), float(flight["low"])), 0.0)
 
 
 def is_entered_past_ends(ball: BallRow, shape: ShapeRow) -> bool:
