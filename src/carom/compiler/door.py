@@ -216,10 +216,18 @@ class Entry:
                 kernel.compile(self._signature(arguments))
             except NotKept:
                 raise
-            except Exception:  # noqa: BLE001  # whatever reading pickled code may raise
-                forget(kernel, self._function)
-                raise NotKept from None
+            except Exception:  # whatever reading pickled code may raise
+                self._forget_damaged(arguments)
+                raise  # it came from elsewhere, as from a signal's handler
         return self._settled(kernel)
+
+    def _forget_damaged(self, arguments: tuple[Any, ...]) -> None:
+        """Take out of the cache, and raise `NotKept`, what cannot be read a second time either."""
+        try:
+            self._kernel.compile(self._signature(arguments))
+        except Exception:  # noqa: BLE001  # as above
+            forget(self._kernel, self._function)
+            raise NotKept from None
 
     def made(self, arguments: tuple[Any, ...]) -> tuple[Kernel, float]:
         """The kernel compiled for some arguments, and how many seconds that took; the user is told of it.

@@ -11,6 +11,21 @@ from tests import fresh
 from tests.unit.compiler.one_kernel import ONE_KERNEL, STEPS, kept, one_kernel
 from tests.worlds import crowded
 
+#: A clock that rings while a kernel is read, once; then the kernel is called again.
+CLOCK = f"""
+import numba.core.caching as caching
+
+def ring(self, key, load=caching.IndexDataCacheFile.load):
+    caching.IndexDataCacheFile.load = load
+    raise TimeoutError
+
+caching.IndexDataCacheFile.load = ring
+try:
+    exec({ONE_KERNEL!r})
+except TimeoutError:
+    print("it rang")
+"""
+
 
 @pytest.mark.slow
 @pytest.mark.compiled
@@ -55,6 +70,15 @@ def test_a_damaged_cache_does_no_harm_and_is_mended(tmp_path: Path, ending: str)
         path.write_bytes(path.read_bytes()[:-20])
     assert one_kernel(tmp_path)[0] == "3\n"
     assert one_kernel(tmp_path) == ("3\n", ""), "it is made anew, and kept"
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_what_a_signal_breaks_off_while_it_is_read_is_not_taken_for_damaged(tmp_path: Path) -> None:
+    one_kernel(tmp_path)
+    files = kept(tmp_path)
+    assert one_kernel(tmp_path, CLOCK + ONE_KERNEL) == ("it rang\n3\n", "")
+    assert kept(tmp_path) == files
 
 
 @pytest.mark.slow
