@@ -57,6 +57,7 @@ class CourseRow(TypedDict):
     shown_vx: f8
     shown_vy: f8
     short: i4  # impacts since then that came too soon after one another to be told apart
+    at_once: i4  # and those at the very instant of the one before
     quiet: i4  # ticks of its island, one after the other, in which it hardly moved
     kind: i4
 

@@ -1,12 +1,15 @@
 """Balls squeezed between moving and static shapes: the static one holds, the moving one goes over the ball."""
 
-from math import cos, hypot, sin
+from collections.abc import Sequence
+from math import cos, hypot, pi, sin
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment
+from carom.shapes.shape import Shape
 from tests.clock import within
 from tests.worlds import continuous_world
 
@@ -84,3 +87,61 @@ def test_a_ball_flies_out_of_a_ring_smaller_than_itself_as_if_there_were_none(se
     assert ball.velocity == pytest.approx((vx, vy + gravity), abs=1e-9 * speed)
     assert len(hits) == 0
     assert world.statistics.squeezed <= 1
+
+
+def cage(random: Random, room: float, kinds: Sequence[str], **motion: Any) -> list[Shape]:
+    """Walls around the origin that leave a ball of radius 1 some room, the distance of each."""
+    count, turn = random.choice((3, 4, 5, 6)), random.uniform(0, 2 * pi)
+    elasticity, bend = random.choice((0.0, 0.5, 1.0)), random.uniform(1, 6)
+    walls: list[Shape] = []
+    for k in range(count):
+        angle = turn + 2 * pi * k / count
+        nx, ny = cos(angle), sin(angle)
+        x, y, kind = room * nx, room * ny, random.choice(kinds)
+        if kind == "segment":
+            walls.append(Segment((x - 3 * ny, y + 3 * nx), (x + 3 * ny, y - 3 * nx), **motion))
+        elif kind == "arc":
+            walls.append(Arc((x - bend * nx, y - bend * ny), bend, angle - 0.7, angle + 0.7, **motion))
+        elif kind == "circle":
+            walls.append(Circle((x + bend * nx, y + bend * ny), bend, solid=True, **motion))
+        else:
+            walls.append(Point((x, y), **motion))
+        walls[-1].elasticity = elasticity
+    return walls
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(60))
+def test_a_ball_that_is_put_where_it_has_no_place_holds_no_step_up(seed: int) -> None:
+    random = Random(seed)
+    kinds = random.choice((("segment",), ("arc",), ("circle",), ("point",), ("segment", "arc", "circle", "point")))
+    motion = random.choice(({}, {"motion": "kinematic"}, {"motion": "kinematic", "velocity": (0.2, 0.1)}))
+    walls = cage(random, random.choice((0.98, 1.0)) * random.uniform(0.05, 1.02), kinds, **motion)
+    world = continuous_world(*walls, gravity=(0, random.choice((0, -5))))
+    velocity = random.choice(((0, 0), (random.uniform(-3, 3), random.uniform(-3, 3))))
+    world.add(Ball((random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)), 1.0, velocity=velocity))
+    for _ in range(20):
+        with within(10):
+            world.step(random.choice((1 / 60, 0.1)))
+    assert np.isfinite(world.balls.position).all()
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(60))
+def test_a_ball_that_all_but_fills_its_cage_stays_in_it(seed: int) -> None:
+    random = Random(seed)
+    # In less an elastic ball has so many impacts, each of them real, that a step takes long.
+    elasticity, least = random.choice(((0.0, -12), (0.5, -12), (1.0, -4)))
+    room = 1.0 + random.choice((0.0, 10 ** random.uniform(least, -1)))
+    walls = cage(random, room, ("segment",))
+    for wall in walls:
+        wall.elasticity = elasticity
+    world = continuous_world(*walls, gravity=(0, random.choice((0, -5))))
+    speed = random.choice((0, 3))
+    ball = world.add(Ball((0, 0), 1.0, velocity=(random.uniform(-speed, speed), random.uniform(-speed, speed))))
+    for _ in range(20):
+        with within(10):
+            world.step(random.choice((1 / 60, 0.1)))
+        assert hypot(*ball.position) <= 2 * (room - 1.0) + 1e-6

@@ -9,6 +9,7 @@ from carom.constants import (
     LEAST_PART,
     LEAST_SQUARE,
     LIFT,
+    MOST_AT_ONCE,
     PUSH_MOST,
     SEPARATION_SLACK,
     SHORT_GAP,
@@ -81,9 +82,11 @@ def impact_with_shape(
     # One at rest may have been put onto the ball.
     pushes = is_moving(shape) or (shape["motion"] == KINEMATIC and gap < -LIFT * radius)
     # In what is smaller than itself a ball would be put from one side onto the other, without end.
-    if lacks_room(shape, fx, fy, radius) or (
+    stuck = flight["at_once"] >= MOST_AT_ONCE or lacks_room(shape, fx, fy, radius)
+    if stuck or (
         pushes and is_squeezed(state, ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny)
     ):
+        flight["at_once"] = 0
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
         return
@@ -152,12 +155,12 @@ def bounce(
         return
     if s < 0.0:
         if elasticity == 0.0 and kick == 0.0:
-            part_least(ball, length(vx - ux, vy - uy), nx, ny)
+            part_least(ball, larger(length(vx - ux, vy - uy), length(vx, vy)), nx, ny)
         end_thrown(state, ball, flight, shapes, relations, nx, ny)
     elif u <= LEAST_PART * length(vx - ux, vy - uy):
         # It goes along the surface; rounding alone has found the impact, and would find it again.
         pull = length(float(flight["ax"]), float(flight["ay"]))
-        part_least(ball, larger(length(vx - ux, vy - uy), sqrt(pull * radius)), nx, ny)
+        part_least(ball, larger(larger(length(vx - ux, vy - uy), length(vx, vy)), sqrt(pull * radius)), nx, ny)
 
 
 def rebound_off(

@@ -6,6 +6,7 @@ from math import inf, sqrt
 
 from carom.constants import SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
 from carom.geometry.path import Path, place_on
+from carom.geometry.vector import length
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.flight import EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
 from carom.rows.state import StateRow
@@ -160,5 +161,7 @@ def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: 
     seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
     least = (SHORT_FLIGHT if elasticity < 1.0 else SHORT_ELASTIC_FLIGHT) * float(ball["radius"])
     flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
+    way = seconds * (approach + length(float(ball["vx"]), float(ball["vy"])))
+    flight["at_once"] = flight["at_once"] + 1 if way < SHORT_ELASTIC_FLIGHT * float(ball["radius"]) else 0
     flight["met_time"] = flight["time"]
     flight["met_low"] = flight["low"]

@@ -280,6 +280,7 @@ def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     flight["met_time"] = NEVER
     flight["met_low"] = 0.0
     flight["short"] = 0
+    flight["at_once"] = 0
     flight["kept"] = state["step_number"]
     flight["impacts"] = 0
     flight["version"] += 1
