@@ -6,6 +6,7 @@
 from carom.study import measures, plots
 from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.spectra import Lyapunov, lyapunov
 from carom.study.billiards.tables import Starts, Table, table
 from carom.study.sweeps import sweep
 
@@ -13,12 +14,14 @@ __all__ = [
     "BoundaryMap",
     "Correlation",
     "Escape",
+    "Lyapunov",
     "MeanFreePath",
     "Starts",
     "Table",
     "boundary_map",
     "correlation",
     "escape",
+    "lyapunov",
     "mean_free_path",
     "measures",
     "plots",

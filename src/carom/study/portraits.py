@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from carom.study.billiards.escapes import Correlation, Escape
     from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+    from carom.study.billiards.spectra import Lyapunov
 
 #: Points in a phase portrait above which they are drawn ever smaller, and their largest size.
 CROWD, DOT = 20_000, 3.0
@@ -94,3 +95,19 @@ def correlation(found: Correlation, axes: Axes | None = None) -> Axes:
     axes.plot(found.time, found.value, color=FIRST)
     axes.set_xlim(0.0, found.time[-1])
     return named(axes, "Correlation of velocity", "time in s", "v(0)·v(t) / v(0)²")
+
+
+@spelled
+def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
+    """The plot of how the greatest exponents of the orbits of a `study.lyapunov` differ, with their mean.
+
+    Order is a peak beside 0, chaos a hill where its exponent is.
+    """
+    axes = axes or new_axes()
+    density, edges = np.histogram(found.exponents, bins=BARS, density=True)
+    axes.stairs(density, edges, fill=True, color=FIRST, alpha=0.75, label="orbits")
+    value, error = float(found.spectrum[0]), float(found.error[0])
+    axes.axvline(value, color=SECOND, label=f"mean {value:.4g} ± {error:.1g}")
+    axes.axvline(0.0, color=OUTLINE, linewidth=1.0)
+    axes.legend(frameon=False)
+    return named(axes, "Lyapunov exponents", "greatest exponent, 1/s", "density")

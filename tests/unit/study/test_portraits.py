@@ -13,6 +13,7 @@ from carom import study
 from carom.study import plots
 from carom.study.billiards.escapes import Correlation, Escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+from carom.study.billiards.spectra import Lyapunov
 
 mpl.use("Agg")
 
@@ -47,11 +48,19 @@ def a_correlation() -> Correlation:
     return Correlation(np.array([0.0, 1.0, 2.0]), np.array([1.0, 0.2, -0.1]), np.array([0.0, 0.1, 0.2]))
 
 
+def a_spectrum() -> Lyapunov:
+    """Three exponents, made up, two of order and one of chaos."""
+    exponents = np.array([0.01, 0.02, 1.47])
+    value, error = np.array([0.5, 0.0, 0.0, -0.5]), np.array([0.3, 0.0, 0.0, 0.3])
+    return Lyapunov(value, error, exponents, np.array([9, 10, 11]), 10.0)
+
+
 PLOTS: list[tuple[Callable[..., Any], Any]] = [
     (plots.boundary_map, a_map()),
     (plots.mean_free_path, a_path()),
     (plots.survival, an_escape()),
     (plots.correlation, a_correlation()),
+    (plots.spectrum, a_spectrum()),
 ]
 
 
@@ -114,3 +123,13 @@ def test_a_correlation_is_drawn_with_a_band_of_two_errors() -> None:
     corners = band.get_paths()[0].vertices
     assert corners[:, 1].max() == pytest.approx(1.0)
     assert corners[:, 1].min() == pytest.approx(-0.5)
+
+
+def test_a_spectrum_tells_order_from_chaos() -> None:
+    axes = plots.spectrum(a_spectrum())
+    assert [line.get_xdata()[0] for line in axes.get_lines()] == [0.5, 0.0]
+    (steps,) = axes.patches
+    density, edges, _ = steps.get_data()
+    shares = density * np.diff(edges)
+    assert (shares.sum(), shares[0], shares[-1]) == pytest.approx((1.0, 2.0 / 3.0, 1.0 / 3.0))
+    assert "mean 0.5 ± 0.3" in [text.get_text() for text in axes.get_legend().get_texts()]
