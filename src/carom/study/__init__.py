@@ -6,6 +6,7 @@
 from carom.study import measures, plots
 from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.sections import Section, section
 from carom.study.billiards.spectra import Lyapunov, lyapunov
 from carom.study.billiards.tables import Starts, Table, table
 from carom.study.sweeps import sweep
@@ -16,6 +17,7 @@ __all__ = [
     "Escape",
     "Lyapunov",
     "MeanFreePath",
+    "Section",
     "Starts",
     "Table",
     "boundary_map",
@@ -25,6 +27,7 @@ __all__ = [
     "mean_free_path",
     "measures",
     "plots",
+    "section",
     "sweep",
     "table",
 ]

@@ -109,20 +109,13 @@ def _carried(batch: Batch, walls: Walls, change: Floats, seconds: float) -> tupl
 
     `change` has the shape (4, 1, orbits).
     """
-    began = batch.world.time
-    found = batch.run(seconds)
-    numbers = batch.numbers(found)
-    rows = found.view(np.ndarray)[np.argsort(numbers, kind="stable")]
-    counts = np.bincount(numbers, minlength=batch.size)
-    ends = np.cumsum(counts)
-    first = (ends - counts)[counts > 0]
-    flights = np.diff(rows["time"], prepend=began)
-    flights[first] = rows["time"][first] - began
-    last = np.full(batch.size, began)
-    last[counts > 0] = rows["time"][ends[counts > 0] - 1]
-    maps, grown = products(impact_maps(walls, rows, flights), counts)
+    last = np.full(batch.size, batch.world.time)
+    flights = batch.flights(seconds)
+    met = flights.counts > 0
+    last[met] = flights.ends["time"][np.cumsum(flights.counts)[met] - 1]
+    maps, grown = products(impact_maps(walls, flights.ends, flights.lengths), flights.counts)
     change = times(maps, change)
     change[:2] += (batch.world.time - last) * change[2:]
     weighed = change * np.array([1.0, 1.0, batch.free_time, batch.free_time])[:, None, None]
     size = np.sqrt(np.sum(weighed * weighed, axis=(0, 1)))
-    return change / size, grown + np.log(size), counts
+    return change / size, grown + np.log(size), flights.counts
