@@ -8,6 +8,7 @@ import pytest
 
 import carom
 from carom import scenes, study
+from carom.study.billiards import ensembles
 from carom.study.billiards.ensembles import batches
 
 G = 9.8
@@ -73,7 +74,10 @@ def test_crossings_are_when_a_sensor_is_entered() -> None:
 
 
 @pytest.mark.parametrize("gravity", [(0.0, 0.0), (0.2, -0.3)])
-def test_crossings_are_places_of_the_ways_between_hits(gravity: tuple[float, float]) -> None:
+def test_crossings_are_places_of_the_ways_between_hits(
+    gravity: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ensembles, "BATCH", 3)
     square = scenes.rectangle(4.0, 3.0)
     square = square.model_copy(update={"world": square.world.model_copy(update={"gravity": gravity})})
     table, cut = study.table(square), np.array([(-1.0, -1.2), (1.5, 1.0)])
