@@ -6,6 +6,7 @@
 from carom.study import measures, plots
 from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.running import RunLyapunov, lyapunov_of
 from carom.study.billiards.sections import Section, section
 from carom.study.billiards.spectra import Lyapunov, lyapunov
 from carom.study.billiards.tables import Starts, Table, table
@@ -17,6 +18,7 @@ __all__ = [
     "Escape",
     "Lyapunov",
     "MeanFreePath",
+    "RunLyapunov",
     "Section",
     "Starts",
     "Table",
@@ -24,6 +26,7 @@ __all__ = [
     "correlation",
     "escape",
     "lyapunov",
+    "lyapunov_of",
     "mean_free_path",
     "measures",
     "plots",

@@ -86,7 +86,7 @@ def lyapunov(
 
 def _growth(batch: Batch, hits: int) -> tuple[Floats, Numbers, float]:
     """By how many e-foldings changes of a batch's orbits grow once they have settled, in how many hits and seconds."""
-    walls, seconds = walls_of(batch.world), hits * batch.free_time
+    walls, seconds = walls_of(batch.world, "scene"), hits * batch.free_time
     parts = ceil(hits * batch.size / BLOCK)
     settling = max(1, round(SETTLING * parts))
     pieces = [SETTLING * seconds / settling] * settling
@@ -109,11 +109,11 @@ def _carried(batch: Batch, walls: Walls, change: Floats, seconds: float) -> tupl
 
     `change` has the shape (4, 1, orbits).
     """
-    last = np.full(batch.size, batch.world.time)
+    last, radius = np.full(batch.size, batch.world.time), float(batch.world.balls.radius[0])
     flights = batch.flights(seconds)
     met = flights.counts > 0
     last[met] = flights.ends["time"][np.cumsum(flights.counts)[met] - 1]
-    maps, grown = products(impact_maps(walls, flights.ends, flights.lengths), flights.counts)
+    maps, grown = products(impact_maps(walls, flights.ends, flights.lengths, radius), flights.counts)
     change = times(maps, change)
     change[:2] += (batch.world.time - last) * change[2:]
     weighed = change * np.array([1.0, 1.0, batch.free_time, batch.free_time])[:, None, None]

@@ -1,5 +1,7 @@
 """Tangent maps are those of balls that start beside each other, and their products those of one map after the other."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -9,7 +11,7 @@ import carom
 from carom import study
 from carom.study.billiards.ensembles import batches
 from carom.study.billiards.tables import Starts
-from carom.study.billiards.tangents import impact_maps, products, times, walls_of
+from carom.study.billiards.tangents import FEW, impact_maps, products, times, walls_of
 
 #: How far apart neighbours start. The rounding of places is as much as a part in 1e9 of it.
 APART = 1e-6
@@ -37,13 +39,13 @@ def test_changes_become_what_neighbours_show() -> None:
     hits = batch.run(1.6)
     ends = np.hstack((batch.world.balls.position, batch.world.balls.velocity)).reshape(9, 8, 4)
     numbers, rows = batch.numbers(hits), hits.view(np.ndarray)
-    walls, kinds = walls_of(batch.world), set()
+    walls, kinds = walls_of(batch.world, "scene"), set()
     for orbit in range(8):
         mine = rows[numbers == orbit]
         others = [rows[numbers == orbit + 8 * step]["shape"].tolist() for step in range(9)]
         assert others == [mine["shape"].tolist()] * 9
         kinds |= {shape.kind for shape in batch.world.shapes if shape.id in others[0]}
-        maps = impact_maps(walls, mine, np.diff(mine["time"], prepend=0.0))
+        maps = impact_maps(walls, mine, np.diff(mine["time"], prepend=0.0), 1e-5 * table.size)
         whole = np.eye(4)
         for number in range(len(mine)):
             whole = maps[:, :, number] @ whole
@@ -56,13 +58,44 @@ def test_changes_become_what_neighbours_show() -> None:
     assert kinds == {"segment", "arc", "circle"}
 
 
+def test_walls_that_move_make_of_changes_what_neighbours_show() -> None:
+    cup = carom.Arc((-0.9, 0.2), 0.8, 2.0, 5.5, motion="kinematic", pivot=(-0.6, 0.0), angular_velocity=-0.9)
+    wheel = carom.Circle((1.0, 0.6), 0.4, solid=True, motion="kinematic", pivot=(1.1, 0.4), angular_velocity=1.3)
+    cart = carom.Segment((0.2, -0.9), (1.4, -1.2), motion="kinematic", velocity=(-0.3, 0.2), angular_velocity=0.7)
+    world = carom.World(detection="continuous", gravity=(0.1, -0.5))
+    world.add(*carom.outlines.rectangle(-2.0, -2.0, 2.0, 2.0), cup, wheel, cart)
+    begin = np.array([[0.9, -0.4, 0.2, -1.5], [-0.5, 0.4, -1.4, 0.3], [0.2, 1.2, 1.3, -0.5], [0.3, -0.3, 1.2, 0.9]])
+    beside = [np.zeros(4), *(sign * APART * way for way in np.eye(4) for sign in (1.0, -1.0))]
+    states = np.concatenate([begin + step for step in beside])
+    world.add_balls(states[:, :2], states[:, 2:], radius=0.05, layer=2, collides_with=1)
+    first, walls = int(world.balls.id[0]), walls_of(world, "world")
+    rows = world.run(1.5, 1.5).view(np.ndarray)
+    ends = np.hstack((world.balls.position, world.balls.velocity)).reshape(9, 4, 4)
+    met: set[str] = set()
+    for orbit in range(4):
+        mine = rows[rows["ball"] == first + orbit]
+        assert all(
+            rows["shape"][rows["ball"] == first + orbit + 4 * step].tolist() == mine["shape"].tolist()
+            for step in range(9)
+        )
+        met |= {str(shape.kind) for shape in (cup, wheel, cart) if shape.id in mine["shape"]}
+        whole = np.eye(4)
+        for map_of in np.moveaxis(impact_maps(walls, mine, np.diff(mine["time"], prepend=0.0), 0.05), 2, 0):
+            whole = map_of @ whole
+        last = np.eye(4)
+        last[:2, 2:] = (1.5 - mine["time"][-1]) * np.eye(2)
+        seen = (ends[1::2, orbit] - ends[2::2, orbit]).T / (2.0 * APART)
+        assert last @ whole == pytest.approx(seen, rel=1e-4, abs=1e-4 * np.abs(seen).max())
+    assert met == {"arc", "circle", "segment"}
+
+
 def test_a_point_turns_balls_as_a_circle_of_their_radius() -> None:
     table = study.table("mushroom")
     radius = 1e-5 * table.size
     (batch,) = batches(table, Starts(np.array([[0.8 - 0.3 * radius, 1.0]]), np.array([[0.0, -1.0]])), 1.0)
     hit = batch.run(1.1)[:1]
     assert hit[0].shape.kind == "point"
-    maps = impact_maps(walls_of(batch.world), hit.view(np.ndarray), np.zeros(1))
+    maps = impact_maps(walls_of(batch.world, "scene"), hit.view(np.ndarray), np.zeros(1), radius)
     cosine = np.sqrt(1.0 - 0.3**2)
     # What a mirror of this curvature adds to that of a front: 2/(radius·cosine), Chernov and Markarian, 2006.
     across = np.array([1.0, 0.0])
@@ -93,8 +126,15 @@ def test_long_products_do_not_overflow() -> None:
     assert logs[0] == pytest.approx(100.0 * np.log(1e9))
 
 
-@pytest.mark.parametrize("how", [{"elasticity": 0.9}, {"kick": 1.0}])
-def test_a_wall_that_takes_or_gives_speed_is_refused(how: dict[str, float]) -> None:
+def test_many_matrices_are_multiplied_as_few_are() -> None:
+    one, other = np.random.default_rng(1).normal(size=(2, 6, 6, FEW + 9))
+    assert times(one, other) == pytest.approx(np.einsum("ijn,jkn->ikn", one, other))
+
+
+@pytest.mark.parametrize("how", [{"elasticity": 0.9}, {"kick": 1.0}, {"once": True}])
+def test_a_wall_that_takes_or_gives_speed_is_refused(how: dict[str, Any]) -> None:
     scene = carom.Scene(shapes=[carom.Circle((0, 0), 2), carom.Circle((0, 0), 1, solid=True, **how)])
-    with pytest.raises(carom.InvalidArgument, match="scene must have walls of elasticity 1 without a kick, not Circle"):
+    with pytest.raises(
+        carom.InvalidArgument, match="scene must have walls of elasticity 1 that stay and do not kick, not Circle"
+    ):
         study.lyapunov(scene, n=2, hits=10)
