@@ -10,7 +10,7 @@ import pytest
 
 import carom
 from carom import study
-from carom.study.billiards.running import _ManyBalls
+from carom.study.billiards.running import _histories, _ManyBalls
 from carom.study.billiards.tangents import walls_of
 from tests.worlds import continuous_world
 
@@ -46,6 +46,30 @@ def test_a_change_of_several_balls_becomes_what_neighbours_show() -> None:
     assert {"segment", "ball"} <= {hit.shape.kind for hit in met}
     seen = (ends[0] - ends[1]) / (2.0 * apart)
     assert exp(grown) * change._change == pytest.approx(seen, rel=1e-4, abs=1e-4 * np.abs(seen).max())
+
+
+def test_how_fast_balls_meet_is_told_for_every_pair() -> None:
+    generator = np.random.default_rng(2)
+    places = [(0.9 * (place % 3) - 0.9, 0.9 * (place // 3) - 0.9) for place in range(9)]
+    balls = [
+        carom.Ball(place, 0.3, velocity=tuple(generator.normal(size=2)), mass=mass)
+        for place, mass in zip(places, generator.uniform(0.5, 2.0, 9).tolist(), strict=True)
+    ]
+    world = room(*balls, gravity=(0.0, -1.0))
+    ids, mass, velocity = np.array(world.balls.id), world.balls.mass.copy(), world.balls.velocity.copy()
+    rows = world.run(4.0, 4.0).view(np.ndarray)
+    pairs = np.isin(rows["shape"], ids)
+    first, second = np.searchsorted(ids, rows["ball"]), np.where(pairs, np.searchsorted(ids, rows["shape"]), -1)
+    apart, flights = _histories(rows, first, second, mass, velocity, 0.0, np.array([0.0, -1.0]))
+    assert pairs.sum() > 30
+    assert np.hypot(*apart) == pytest.approx(rows["speed"][pairs])
+    across = np.sum(apart.T * rows["normal"][pairs], axis=1)
+    one, other = mass[first[pairs]], mass[second[pairs]]
+    assert -2.0 * across * one * other / (one + other) == pytest.approx(rows["impulse"][pairs])
+    for ball in range(9):  # the flights of each end where it hits, one after the other
+        mine = (first == ball) | (second == ball)
+        lasted = [flight[0] if one == ball else flight[1] for one, flight in zip(first, flights, strict=True)]
+        assert np.cumsum(np.array(lasted)[mine]) == pytest.approx(rows["time"][mine])
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.8])

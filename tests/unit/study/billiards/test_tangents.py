@@ -59,8 +59,8 @@ def test_changes_become_what_neighbours_show() -> None:
 
 
 def test_walls_that_move_make_of_changes_what_neighbours_show() -> None:
-    cup = carom.Arc((-0.9, 0.2), 0.8, 2.0, 5.5, motion="kinematic", pivot=(-0.6, 0.0), angular_velocity=-0.9)
-    wheel = carom.Circle((1.0, 0.6), 0.4, solid=True, motion="kinematic", pivot=(1.1, 0.4), angular_velocity=1.3)
+    cup = carom.Arc((-0.9, 0.2), 0.8, 2.0, 5.5, motion="kinematic", pivot=(-0.3, -0.9), angular_velocity=-0.9)
+    wheel = carom.Circle((1.0, 0.6), 0.4, solid=True, motion="kinematic", pivot=(0.2, 0.6), angular_velocity=1.3)
     cart = carom.Segment((0.2, -0.9), (1.4, -1.2), motion="kinematic", velocity=(-0.3, 0.2), angular_velocity=0.7)
     world = carom.World(detection="continuous", gravity=(0.1, -0.5))
     world.add(*carom.outlines.rectangle(-2.0, -2.0, 2.0, 2.0), cup, wheel, cart)
