@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 from math import log, sqrt
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,9 +16,7 @@ from carom.study.billiards.ensembles import Numbers
 from carom.study.billiards.outline import Floats
 from carom.study.billiards.tangents import Walls, bounce_maps, impact_maps, products, times, walls_of
 from carom.typing import Vector
-
-if TYPE_CHECKING:
-    from carom.world import World
+from carom.world import World
 
 #: Parts of a run, whose exponents tell the error, and how many of them go by until changes have settled.
 PARTS, SETTLING = 40, 10
@@ -90,8 +87,6 @@ def lyapunov_of(world: World, seconds: float) -> RunLyapunov:
 
 def _check(world: World) -> None:
     """Raise `InvalidArgument` where a world's run is none that tangent maps follow."""
-    from carom.world import World
-
     if not isinstance(world, World):
         raise refuse("world", "must be a World", world)
     balls = world.balls

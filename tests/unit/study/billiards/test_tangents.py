@@ -61,7 +61,10 @@ def test_changes_become_what_neighbours_show() -> None:
 def test_walls_that_move_make_of_changes_what_neighbours_show() -> None:
     cup = carom.Arc((-0.9, 0.2), 0.8, 2.0, 5.5, motion="kinematic", pivot=(-0.3, -0.9), angular_velocity=-0.9)
     wheel = carom.Circle((1.0, 0.6), 0.4, solid=True, motion="kinematic", pivot=(0.2, 0.6), angular_velocity=1.3)
-    cart = carom.Segment((0.2, -0.9), (1.4, -1.2), motion="kinematic", velocity=(-0.3, 0.2), angular_velocity=0.7)
+    plank = carom.Segment((0.2, -0.9), (1.4, -1.2))
+    cart = carom.Compound(
+        [plank, carom.Point((1.4, -1.2))], pivot=(0.6, -0.8), velocity=(-0.3, 0.2), angular_velocity=0.7
+    )
     world = carom.World(detection="continuous", gravity=(0.1, -0.5))
     world.add(*carom.outlines.rectangle(-2.0, -2.0, 2.0, 2.0), cup, wheel, cart)
     begin = np.array([[0.9, -0.4, 0.2, -1.5], [-0.5, 0.4, -1.4, 0.3], [0.2, 1.2, 1.3, -0.5], [0.3, -0.3, 1.2, 0.9]])
@@ -78,7 +81,7 @@ def test_walls_that_move_make_of_changes_what_neighbours_show() -> None:
             rows["shape"][rows["ball"] == first + orbit + 4 * step].tolist() == mine["shape"].tolist()
             for step in range(9)
         )
-        met |= {str(shape.kind) for shape in (cup, wheel, cart) if shape.id in mine["shape"]}
+        met |= {str(shape.kind) for shape in (cup, wheel, plank) if shape.id in mine["shape"]}
         whole = np.eye(4)
         for map_of in np.moveaxis(impact_maps(walls, mine, np.diff(mine["time"], prepend=0.0), 0.05), 2, 0):
             whole = map_of @ whole
