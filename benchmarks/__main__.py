@@ -30,6 +30,7 @@ from benchmarks import (
     rooms,
     scaling,
     startup,
+    studies,
     sweep,
     worlds,
 )
@@ -51,6 +52,7 @@ WORKLOADS: dict[str, ModuleType] = {
     "play": play,
     "startup": startup,
     "memory": memory,
+    "studies": studies,
     "sweep": sweep,
     "worlds": worlds,
     "rl": rl,

@@ -171,6 +171,11 @@ points: list[carom.Point] = carom.guard_points([wall, mill], tolerance=1e-6)
 picture: str = carom.draw.svg(carom.draw.picture_of(world, "table", caption="a table"))
 pixels: bytes = carom.draw.png(carom.draw.picture_at(recording, 3))
 axes = carom.study.plots.energy(recording)
+chaos = carom.study.lyapunov("sinai", n=10, hits=100, seed=1, speed=2.0)
+assert_type(chaos.seconds, float)
+axes = carom.study.plots.spectrum(chaos)
+assert_type(carom.study.lyapunov_of(world, seconds=1).hits, int)
+assert_type(carom.study.section("wedge", cut=((0, 0), [0, 3]), n=10, hits=100, seed=1).along, NDArray[np.float64])
 
 
 try:

@@ -6,6 +6,9 @@
 from carom.study import measures, plots
 from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.running import RunLyapunov, lyapunov_of
+from carom.study.billiards.sections import Section, section
+from carom.study.billiards.spectra import Lyapunov, lyapunov
 from carom.study.billiards.tables import Starts, Table, table
 from carom.study.sweeps import sweep
 
@@ -13,15 +16,21 @@ __all__ = [
     "BoundaryMap",
     "Correlation",
     "Escape",
+    "Lyapunov",
     "MeanFreePath",
+    "RunLyapunov",
+    "Section",
     "Starts",
     "Table",
     "boundary_map",
     "correlation",
     "escape",
+    "lyapunov",
+    "lyapunov_of",
     "mean_free_path",
     "measures",
     "plots",
+    "section",
     "sweep",
     "table",
 ]

@@ -19,7 +19,7 @@ from carom.extras import needed
 from carom.record.members import hits_by_label, touches_by_label
 from carom.spelling import spelled
 from carom.study.axes import FIRST, OUTLINE, SECOND, named, new_axes
-from carom.study.portraits import boundary_map, correlation, mean_free_path, survival
+from carom.study.portraits import boundary_map, correlation, mean_free_path, section, spectrum, survival
 from carom.typing import Vector
 from carom.world.hits import HitKind
 
@@ -35,6 +35,8 @@ __all__ = [
     "heat_map",
     "hits_by_shape",
     "mean_free_path",
+    "section",
+    "spectrum",
     "speeds",
     "survival",
 ]

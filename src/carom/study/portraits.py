@@ -6,6 +6,7 @@ dark grounds, as `matplotlib.style` sets them.
 
 from __future__ import annotations
 
+from math import hypot
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,8 +17,12 @@ from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, named, new_axes
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from carom.study.billiards.ensembles import Numbers
     from carom.study.billiards.escapes import Correlation, Escape
     from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+    from carom.study.billiards.outline import Floats
+    from carom.study.billiards.sections import Section
+    from carom.study.billiards.spectra import Lyapunov
 
 #: Points in a phase portrait above which they are drawn ever smaller, and their largest size.
 CROWD, DOT = 20_000, 3.0
@@ -34,21 +39,23 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
     Lines divide the outer wall and the islands.
     """
     axes = axes or new_axes()
-    colours = [MANY[number % len(MANY)] for number in range(len(found.sine))]
-    size = DOT * min(1.0, CROWD / found.sine.size)
-    axes.scatter(
-        found.arc_length.ravel(),
-        found.sine.ravel(),
-        s=max(size, 0.05),
-        c=np.repeat(colours, found.sine.shape[1]),
-        linewidths=0.0,
-        rasterized=True,
-    )
+    orbits, hits = found.sine.shape
+    _dots(axes, found.arc_length.ravel(), found.sine.ravel(), np.repeat(np.arange(orbits), hits))
     for end in np.cumsum([loop.length for loop in found.table.loops[:-1]]):
         axes.axvline(end, color=OUTLINE, linewidth=1.0)
     axes.set_xlim(0.0, found.table.perimeter)
     axes.set_ylim(-1.0, 1.0)
     return named(axes, "Boundary map", "arc length", "sine of the angle of incidence")
+
+
+@spelled
+def section(found: Section, axes: Axes | None = None) -> Axes:
+    """The phase portrait of a `study.section`: each crossing by its distance and velocity along the line, by orbit."""
+    axes = axes or new_axes()
+    _dots(axes, found.distance, found.along, found.orbit)
+    (ax, ay), (bx, by) = found.cut
+    axes.set_xlim(0.0, hypot(bx - ax, by - ay))
+    return named(axes, "Poincaré section", "distance along the line", "velocity along the line")
 
 
 @spelled
@@ -94,3 +101,26 @@ def correlation(found: Correlation, axes: Axes | None = None) -> Axes:
     axes.plot(found.time, found.value, color=FIRST)
     axes.set_xlim(0.0, found.time[-1])
     return named(axes, "Correlation of velocity", "time in s", "v(0)·v(t) / v(0)²")
+
+
+@spelled
+def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
+    """The plot of how the greatest exponents of the orbits of a `study.lyapunov` differ, with their mean.
+
+    Order is a peak beside 0, chaos a hill where its exponent is.
+    """
+    axes = axes or new_axes()
+    density, edges = np.histogram(found.exponents, bins=BARS, density=True)
+    axes.stairs(density, edges, fill=True, color=FIRST, alpha=0.75, label="orbits")
+    value, error = float(found.spectrum[0]), float(found.error[0])
+    axes.axvline(value, color=SECOND, label=f"mean {value:.4g} ± {error:.1g}")
+    axes.axvline(0.0, color=OUTLINE, linewidth=1.0)
+    axes.legend(frameon=False)
+    return named(axes, "Lyapunov exponents", "greatest exponent, 1/s", "density")
+
+
+def _dots(axes: Axes, x: Floats, y: Floats, orbit: Numbers) -> None:
+    """Draw a dot for each place, smaller where they are many, in the colour of its orbit."""
+    size = DOT * min(1.0, CROWD / max(1, len(x)))
+    colours = np.array(MANY)[orbit % len(MANY)]
+    axes.scatter(x, y, s=max(size, 0.05), c=colours, linewidths=0.0, rasterized=True)

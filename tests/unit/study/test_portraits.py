@@ -13,6 +13,8 @@ from carom import study
 from carom.study import plots
 from carom.study.billiards.escapes import Correlation, Escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+from carom.study.billiards.sections import Section
+from carom.study.billiards.spectra import Lyapunov
 
 mpl.use("Agg")
 
@@ -47,11 +49,26 @@ def a_correlation() -> Correlation:
     return Correlation(np.array([0.0, 1.0, 2.0]), np.array([1.0, 0.2, -0.1]), np.array([0.0, 0.1, 0.2]))
 
 
+def a_spectrum() -> Lyapunov:
+    """Three exponents, made up, two of order and one of chaos."""
+    exponents = np.array([0.01, 0.02, 1.47])
+    value, error = np.array([0.5, 0.0, 0.0, -0.5]), np.array([0.3, 0.0, 0.0, 0.3])
+    return Lyapunov(value, error, exponents, np.array([9, 10, 11]), 10.0)
+
+
+def a_section() -> Section:
+    """Three crossings, made up, of two orbits."""
+    numbers, times = np.array([0, 0, 9]), np.array([1.0, 2.0, 1.5])
+    return Section(((0.0, 0.0), (3.0, 4.0)), numbers, times, times + 2.0, times - 3.0, times, 4.0)
+
+
 PLOTS: list[tuple[Callable[..., Any], Any]] = [
     (plots.boundary_map, a_map()),
     (plots.mean_free_path, a_path()),
     (plots.survival, an_escape()),
     (plots.correlation, a_correlation()),
+    (plots.spectrum, a_spectrum()),
+    (plots.section, a_section()),
 ]
 
 
@@ -114,3 +131,23 @@ def test_a_correlation_is_drawn_with_a_band_of_two_errors() -> None:
     corners = band.get_paths()[0].vertices
     assert corners[:, 1].max() == pytest.approx(1.0)
     assert corners[:, 1].min() == pytest.approx(-0.5)
+
+
+def test_a_spectrum_tells_order_from_chaos() -> None:
+    axes = plots.spectrum(a_spectrum())
+    assert [line.get_xdata()[0] for line in axes.get_lines()] == [0.5, 0.0]
+    (steps,) = axes.patches
+    density, edges, _ = steps.get_data()
+    shares = density * np.diff(edges)
+    assert (shares.sum(), shares[0], shares[-1]) == pytest.approx((1.0, 2.0 / 3.0, 1.0 / 3.0))
+    assert "mean 0.5 ± 0.3" in [text.get_text() for text in axes.get_legend().get_texts()]
+
+
+def test_a_section_is_a_dot_for_each_crossing_a_colour_for_each_orbit() -> None:
+    axes = plots.section(a_section())
+    (dots,) = axes.collections
+    assert np.asarray(dots.get_offsets()).tolist() == [[3.0, -2.0], [4.0, -1.0], [3.5, -1.5]]
+    colours = dots.get_facecolors()
+    assert (colours[0] == colours[1]).all()
+    assert (colours[0] != colours[2]).any()
+    assert axes.get_xlim() == (0.0, 5.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,17 @@ BATCH = 500
 #: A run for so many hits first takes this part of the time that they need on average, then goes on by a smaller one,
 #: which grows, so many times at most. Between two parts the balls that have had enough are let go.
 FIRST, FURTHER, MORE, MOST_RUNS = 0.85, 0.08, 1.3, 60
+
+
+class Flights(NamedTuple):
+    """The flights of a batch that ended with a bounce, orbit after orbit, each in order of time.
+
+    `ends` are the rows of these bounces, `lengths` are how long the flights took, and `counts` how many each orbit had.
+    """
+
+    ends: Rows
+    lengths: Floats
+    counts: Numbers
 
 
 @dataclass
@@ -53,6 +64,18 @@ class Batch:
         hits = self.world.run(seconds, seconds)
         bounces = hits["kind"] == BOUNCE
         return hits if bounces.all() else hits[bounces]
+
+    def flights(self, seconds: float) -> Flights:
+        """The flights of so many seconds; the first of each orbit begins with them."""
+        began = self.world.time
+        found = self.run(seconds)
+        numbers = self.numbers(found)
+        ends = found.view(np.ndarray)[np.argsort(numbers, kind="stable")]
+        counts = np.bincount(numbers, minlength=self.size)
+        lengths = np.diff(ends["time"], prepend=began)
+        first = (np.cumsum(counts) - counts)[counts > 0]
+        lengths[first] = ends["time"][first] - began
+        return Flights(ends, lengths, counts)
 
     def numbers(self, hits: Hits) -> Numbers:
         """Whose each hit is: the number of the orbit in this batch."""

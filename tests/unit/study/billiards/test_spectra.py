@@ -1,0 +1,115 @@
+"""Lyapunov exponents are 0 where there is order, and elsewhere those that were published."""
+
+from math import log, pi, sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+
+import carom
+from carom import scenes, study
+from carom.study.billiards import ensembles, spectra
+
+ZETA_3 = 1.2020569031595942
+
+
+@pytest.mark.parametrize("name", ["circle", "rectangle", "wedge"])
+def test_order_shows_zero_within_its_error(name: str) -> None:
+    # The wedge is one of 45 degrees: H. E. Lehtihet and B. N. Miller, 1986.
+    found = study.lyapunov(name, n=10, hits=60, seed=1, speed=4.0)
+    assert abs(found.spectrum[0]) < 1.5 * found.error[0]
+    # Changes grow in proportion to time, by a factor of 4 from a quarter of it on.
+    assert np.median(found.exponents) == pytest.approx(log(4.0) / found.seconds, rel=0.2)
+
+
+def test_what_is_returned_says_how_it_was_measured() -> None:
+    table = study.table("sinai")
+    found = study.lyapunov(table, n=6, hits=40, seed=2)
+    free = pi * table.area / table.perimeter
+    assert found.seconds == pytest.approx(0.75 * 40 * free)
+    assert found.counts.sum() == pytest.approx(6 * 30, rel=0.2)
+    assert found.exponents.shape == (6,)
+    assert found.spectrum[0] == pytest.approx(found.exponents.mean())
+    assert found.spectrum.tolist() == [found.spectrum[0], 0.0, 0.0, -found.spectrum[0]]
+    scatter = found.exponents.std(ddof=1) / sqrt(6)
+    assert found.error.tolist() == pytest.approx(
+        [sqrt(scatter**2 + (log(4.0) / found.seconds) ** 2), 0, 0, found.error[0]]
+    )
+    fast = study.lyapunov(table, n=6, hits=40, seed=2, speed=3.0)
+    assert fast.spectrum[0] == pytest.approx(3.0 * found.spectrum[0], rel=1e-3)
+
+
+def test_exponents_are_the_same_however_orbits_are_divided(monkeypatch: pytest.MonkeyPatch) -> None:
+    one = study.lyapunov("lorentz", n=7, hits=12, seed=1)
+    monkeypatch.setattr(spectra, "BLOCK", 12)
+    monkeypatch.setattr(ensembles, "BATCH", 4)
+    other = study.lyapunov("lorentz", n=7, hits=12, seed=1)
+    assert other.counts.tolist() == one.counts.tolist()
+    assert other.exponents == pytest.approx(one.exponents, rel=1e-5)
+
+
+#: P. Gaspard and F. Baras, Phys. Rev. E 51, 5332, 1995, figure 7: the exponent by the gap between scatterers of radius
+#: 1, as test/lyapunov.jl of DynamicalBilliards.jl reads it, to a tenth.
+GASPARD_AND_BARAS = {0.5: 1.4, 1.0: 0.8, 1.5: 0.6, 2.0: 0.5}
+
+
+def test_few_flights_show_the_exponent_of_the_triangular_gas() -> None:
+    found = study.lyapunov(scenes.lorentz(1.0, 0.5), n=20, hits=60, seed=1)
+    assert abs(found.spectrum[0] - GASPARD_AND_BARAS[0.5]) < 0.1 + 2.0 * found.error[0] < 0.3
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_small_scatterers_have_the_exponent_of_dahlqvist() -> None:
+    # P. Dahlqvist, Nonlinearity 10, 159, 1997: from disc to disc in a unit cell, up to terms of R ln² R, a tenth here.
+    # F. P. Boca and A. Zaharescu, Commun. Math. Phys. 269, 425, 2007, proved the mean of ln τ that it rests on.
+    radius = 0.01
+    found = study.lyapunov(scenes.sinai(1.0, radius), n=100, hits=4000, seed=1)
+    from_disc_to_disc = (1.0 - pi * radius**2) / (2.0 * radius)
+    value, error = found.spectrum[0] * from_disc_to_disc, found.error[0] * from_disc_to_disc
+    expected = -2.0 * log(radius) + 1.0 - 4.0 * log(2.0) + 27.0 * ZETA_3 / (2.0 * pi**2)
+    assert abs(value - expected) < 2.0 * error < 0.35
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("gap", GASPARD_AND_BARAS)
+def test_the_triangular_gas_has_the_exponents_of_gaspard_and_baras(gap: float) -> None:
+    found = study.lyapunov(scenes.lorentz(1.0, gap), n=100, hits=200, seed=1)
+    assert abs(found.spectrum[0] - GASPARD_AND_BARAS[gap]) < 0.1 + 2.0 * found.error[0]
+    assert found.error[0] < 0.03
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_near_the_circle_the_stadium_has_the_power_law_of_benettin() -> None:
+    # G. Benettin, Physica D 13, 211, 1984: the exponent goes by the root of the length of the straight walls.
+    lengths = (0.16, 0.01)
+    wide, near = (study.lyapunov(scenes.stadium(length, 1.0), n=200, hits=1000, seed=1) for length in lengths)
+    power = log(wide.spectrum[0] / near.spectrum[0]) / log(lengths[0] / lengths[1])
+    error = sqrt(sum((one.error[0] / one.spectrum[0]) ** 2 for one in (wide, near))) / log(lengths[0] / lengths[1])
+    assert abs(power - 0.5) < 2.0 * error < 0.06
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_an_ellipse_of_arcs_comes_to_zero_with_its_tolerance() -> None:
+    # Where arcs meet, curvature jumps by the cube root of the tolerance; with it goes what chaos that makes.
+    coarse, fine = (study.lyapunov(scenes.ellipse(tolerance=t), n=50, hits=100, seed=1) for t in (1e-3, 1e-8))
+    assert coarse.spectrum[0] > 4.0 * coarse.error[0]
+    assert abs(fine.spectrum[0]) < 2.0 * fine.error[0]
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"hits": 9}, "hits must be from 10"),
+        ({"n": 1}, "n must be from 2"),
+        ({"seed": -1}, "seed must be"),
+        ({"speed": 0.0}, "speed must be positive, not 0.0"),
+        ({"hit": 9}, "did you mean hits"),
+        ({"scene": "pinball"}, "scene must be a closed table"),
+    ],
+)
+def test_what_cannot_be_studied_is_refused(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(carom.InvalidArgument, match=told):
+        study.lyapunov(**({"scene": "circle"} | given))
