@@ -27,13 +27,13 @@ MOUSE = {LEFT_BUTTON: Action.DRAW, RIGHT_BUTTON: Action.CANCEL}
 
 
 class PoolApp:
-    """The game as a window shows it. `seed` says which positions come after the first one."""
+    """The game as a window shows it: `seed` says which positions come, `balls` how many are to be potted."""
 
     title = "carom: the pool end game"
     size = SIZE
 
-    def __init__(self, tell: Callable[[str], None], seed: int = 0) -> None:
-        self.session = Session(seed)
+    def __init__(self, tell: Callable[[str], None], seed: int = 0, balls: int = 1) -> None:
+        self.session = Session(seed, balls)
         self.controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
         self.speaker = Speaker(sounds.waves(), tell)
         self.view = View(self.session)
@@ -103,6 +103,6 @@ class PoolApp:
         self.view.draw(surface, self.session, self.meter)
 
 
-def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
-    """The times of the frames of a sitting, which ends with the window or after some seconds."""
-    return play(lambda: PoolApp(tell), seconds)
+def run(*, tell: Callable[[str], None], seconds: float | None = None, balls: int = 1) -> FrameMeter:
+    """The times of the frames of a sitting with so many balls, which ends with the window or after some seconds."""
+    return play(lambda: PoolApp(tell, balls=balls), seconds)

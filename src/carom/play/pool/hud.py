@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import pygame
@@ -29,9 +28,9 @@ BELOW = 654
 
 PANEL: Colour = (16, 19, 24)
 
-KEYS_LINE = "Mouse or Left, Right: aim   ·   Up, Down: power   ·   click or Space: shoot; hold: draw the cue"
-FIRST_LINE = "Mouse: aim   ·   wheel: power   ·   drag the cue ball, or W, X: base line   ·   click or Space: shoot"
-MODES_LINE = "C: collision mode   ·   S: step mode   ·   R: again   ·   F1: help"
+KEYS_LINE = "Mouse, Left, Right: aim   ·   Up, Down: power   ·   click, Space: shoot; hold: draw the cue"
+FIRST_LINE = "Mouse: aim   ·   wheel: power   ·   drag the cue ball, or W, X: base line   ·   click: shoot"
+MODES_LINE = "C: collisions   ·   S: steps   ·   G: more balls   ·   R: again   ·   F1: help"
 
 
 class Hud:
@@ -40,6 +39,7 @@ class Hud:
     def __init__(self, layout: Layout) -> None:
         self.letters = Letters()
         self.middle = layout.center
+        self._help: tuple[str, pygame.Surface] = ("", pygame.Surface((1, 1)))
         self._gradient = _gradient(BAR.size)
 
     def draw(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
@@ -48,7 +48,7 @@ class Hud:
         self._bottom(surface, session, meter)
         self._power(surface, session)
         if Mode.HELP in session.modes:
-            put(surface, self._help, self.middle)
+            put(surface, self._help_with(words.rule(session.pool)), self.middle)
         elif session.pool.over and session.since_end > WAIT:
             self._end(surface, session)
 
@@ -111,15 +111,16 @@ class Hud:
         picture.set_alpha(round(255.0 * share))
         surface.blit(picture, panel)
 
-    @cached_property
-    def _help(self) -> pygame.Surface:
-        """What each key and each button does, on a panel."""
-        picture = _panel((860, 92 + 24 * len(HELP)), GOLD)
+    def _help_with(self, rule: str) -> pygame.Surface:
+        """The rule, and what each key and each button does, on a panel."""
+        if self._help[0] == rule:
+            return self._help[1]
+        picture = _panel((900, 112 + 23 * len(HELP)), GOLD)
+        self._help = rule, picture
         self.letters.draw(picture, "The pool end game", (36, 20), 24, GOLD)
-        rule = "Pot the eight and keep the cue ball on the table."
-        self.letters.draw(picture, rule, (picture.get_width() - 36, 27), 15, IVORY, anchor="end")
+        self.letters.draw(picture, rule, (36, 56), 15, IVORY)
         for line, (keys, buttons, what) in enumerate(HELP):
-            below = 68 + 24 * line
+            below = 92 + 23 * line
             self.letters.draw(picture, keys, (36, below), 15, IVORY)
             self.letters.draw(picture, buttons, (270, below), 15, MUTED)
             self.letters.draw(picture, what, (410, below), 15, IVORY)

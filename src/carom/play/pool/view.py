@@ -44,8 +44,11 @@ JUMP = 400.0
 #: The colour of the line on which the cue ball may be put.
 CLOTH_LINE = (190, 226, 214)
 
-#: The colours of what belongs to the eight, and to the cue ball.
-EIGHT_LINE, CUE_LINE = GOLD, IVORY
+#: The colours of what belongs to the balls that are to be potted, and to the cue ball.
+BALL_LINE, CUE_LINE = GOLD, IVORY
+
+#: The number on each ball; the cue ball has none.
+NUMBERS = {"cue ball": 0, "eight": 8, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7}
 
 
 class View:
@@ -59,7 +62,7 @@ class View:
         self.table = pygame.Surface(SIZE, 0, 32)
         pygame.surfarray.blit_array(self.table, table_picture())
         self.cue = Cue()
-        self.balls = {"cue ball": RollingBall(radius, eight=False), "eight": RollingBall(radius, eight=True)}
+        self.balls = {name: RollingBall(radius, number) for name, number in NUMBERS.items()}
         self.radius = radius
         self._places: dict[str, Vector] = {}
         self._shadow = spot(1.4 * radius, (0, 0, 0), 0.62, 0.85)
@@ -67,7 +70,7 @@ class View:
         self._faint = ring(radius, 1.2, IVORY, 0.6)
         self._goal = ring(5.2 * SCALE, 3.0, GOLD, 0.95)
         self._danger = ring(5.2 * SCALE, 3.0, BAD, 0.95)
-        self._marks = {"cue ball": ring(radius, 1.8, IVORY, 0.95, 0.16), "eight": ring(radius, 1.8, GOLD, 0.95, 0.2)}
+        self._cue_mark, self._mark = ring(radius, 1.8, IVORY, 0.95, 0.16), ring(radius, 1.8, GOLD, 0.95, 0.2)
         self._pockets = {pocket_at(session.pool, arc.center): self.layout.pixel(arc.center) for arc in pockets(world)}
 
     def draw(self, surface: pygame.Surface, session: Session, meter: FrameMeter) -> None:
@@ -96,7 +99,7 @@ class View:
     def _draw_balls(self, surface: pygame.Surface, session: Session) -> None:
         """Draw the balls, rolled on from where they were in the last frame."""
         pool = session.pool
-        for ball in (pool.cue, pool.eight):
+        for ball in sorted(pool.balls, key=lambda ball: ball.name not in pool.potted):
             name = ball.name or ""
             x, y = self.layout.pixel(ball.position)
             before = self._places.get(name, (x, y))
@@ -114,7 +117,8 @@ class View:
 
     def _draw_velocities(self, surface: pygame.Surface, pool: Pool) -> None:
         """Draw an arrow from each ball that moves to where it would be in `ARROW` seconds, or to the cushion before."""
-        for ball, colour in ((pool.cue, CUE_LINE), (pool.eight, EIGHT_LINE)):
+        for ball in pool.balls:
+            colour = line_of(ball.name or "")
             (x, y), (vx, vy), speed = ball.position, ball.velocity, hypot(*ball.velocity)
             if SCALE * ARROW * speed < 1.0:
                 continue
@@ -166,12 +170,12 @@ class View:
             return
         for leg, share, colour in (
             (shown.cue, shown.aim.speed, CUE_LINE),
-            (shown.eight, shown.aim.other_speed, EIGHT_LINE),
+            (shown.struck, shown.aim.other_speed, BALL_LINE),
         ):
             if leg is not None:
                 way = until_rest(pool, shown, leg, share, power)
                 self._draw_leg(surface, way, colour)
-                if leg is shown.eight and way.pocket is not None:
+                if leg is shown.struck and way.pocket is not None:
                     put(surface, self._goal, self._pockets[way.pocket])
         if fall is not None:
             put(surface, self._danger, self._pockets[fall])
@@ -198,25 +202,27 @@ class View:
             at += DASH + GAP
 
     def _draw_falls(self, surface: pygame.Surface, pool: Pool) -> None:
-        """Draw rings round the pockets that decided the game."""
+        """Draw rings round the pockets into which the last shot potted balls."""
         for name, fall in pool.potted.items():
+            if name in pool.gone:
+                continue
             picture = self._danger if name == pool.cue.name else self._goal
             put(surface, picture, self._pockets[fall.pocket])
 
     # -- the marks of the impacts ------------------------------------------------------------------------------------
 
     def _draw_paths(self, surface: pygame.Surface, session: Session) -> None:
-        """Draw the ways of both balls since the shot, and where they were at each impact."""
+        """Draw the ways of the balls since the shot, and where they were at each impact."""
         pool = session.pool
-        for name, colour in (("cue ball", CUE_LINE), ("eight", EIGHT_LINE)):
-            path = [self.layout.pixel(place) for place in pool.path(name)]
+        for name in (ball.name or "" for ball in pool.balls if ball.name not in pool.gone):
+            path, colour = [self.layout.pixel(place) for place in pool.path(name)], line_of(name)
             if pool.shots > 0:
                 put(surface, self._faint, path[0])
             for start, end in pairwise(path):
                 self._stroke_between(surface, start, end, colour)
         for mark in pool.marks:
             for name, place in mark.balls:
-                put(surface, self._marks[name], self.layout.pixel(place))
+                put(surface, self._cue_mark if name == "cue ball" else self._mark, self.layout.pixel(place))
 
     def _stroke_between(self, surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
         """Draw a line from the edge of a ball at `start` to that of one at `end`."""
@@ -230,8 +236,12 @@ class View:
         for mark in session.pool.marks:
             for name, place in mark.balls:
                 x, y = self.layout.pixel(place)
-                colour = CUE_LINE if name == "cue ball" else EIGHT_LINE
-                self.letters.draw(surface, str(mark.number), (x, y - 6.5), 13, colour, anchor="middle")
+                self.letters.draw(surface, str(mark.number), (x, y - 6.5), 13, line_of(name), anchor="middle")
+
+
+def line_of(name: str) -> Colour:
+    """The colour of what belongs to a ball."""
+    return CUE_LINE if name == "cue ball" else BALL_LINE
 
 
 def stroke(surface: pygame.Surface, start: Vector, end: Vector, colour: Colour) -> None:
