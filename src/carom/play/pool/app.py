@@ -37,6 +37,7 @@ class PoolApp:
         self.controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
         self.speaker = Speaker(sounds.waves(), tell)
         self.view = View(self.session)
+        self._views = {1: self.view}
         self.meter = FrameMeter(RATE)
         self._ticker = Ticker(STEP)
         self._phase = Phase.AIM
@@ -45,6 +46,14 @@ class PoolApp:
             self.session.pool.shoot(self.session.direction, 0.0)
             self.session.pool.step()
         self.session.preview()
+
+    def magnify(self, times: int) -> None:
+        """Draw the picture `times` as large from now on."""
+        if times not in self._views:
+            self._views[times] = View(self.session, times)
+        self._views[times].go_on_from(self.view)
+        self.view = self._views[times]
+        self.size = self.view.layout.size
 
     @property
     def running(self) -> bool:

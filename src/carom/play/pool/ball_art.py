@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 Field: TypeAlias = NDArray[np.float64]
 
-#: Samples along each side of a pixel.
-FINER = 3
+#: Samples along each side of a pixel, and of one of a ball whose radius is more than `LARGE` pixels.
+FINER, FEWER, LARGE = 3, 2, 16.0
 
 #: Places within a pixel, along each axis, that a ball's centre is rounded to.
 PLACES = 4
@@ -97,6 +97,10 @@ class RollingBall:
         if self.turn is not UPRIGHT:
             self.turn, self._drawn = UPRIGHT, None
 
+    def turn_as(self, other: RollingBall) -> None:
+        """Turn it as another one is turned."""
+        self.turn, self._drawn = other.turn, None
+
     def roll(self, dx: float, dy: float) -> None:
         """Roll it without slipping over `dx` and `dy`, in pixels, y up."""
         way = hypot(dx, dy)
@@ -121,19 +125,26 @@ class RollingBall:
         colour = self._paint(normal @ self.turn)
         light = colour * shade[..., None] + (255.0 * self._gloss) * gloss[..., None]
         light = np.minimum(light, 255.0) * (bright * cover)[..., None]
-        side = cover.shape[0] // FINER
-        blocks = (side, FINER, side, FINER)
+        finer = _finer(radius)
+        side = cover.shape[0] // finer
+        blocks = (side, finer, side, finer)
         total = cover.reshape(blocks).sum(axis=(1, 3))
         mean = light.reshape((*blocks, 3)).sum(axis=(1, 3)) / np.maximum(total, 1e-9)[..., None]
-        alpha = total * (255.0 / (FINER * FINER))
+        alpha = total * (255.0 / (finer * finer))
         return surface_of(np.concatenate((mean, alpha[..., None]), axis=2).round().astype(np.uint8))
+
+
+def _finer(radius: float) -> int:
+    """How many samples there are along each side of a pixel of a ball."""
+    return FEWER if radius > LARGE else FINER
 
 
 @lru_cache(maxsize=256)
 def _light(part_x: int, part_y: int, radius: float) -> tuple[Field, Field, Field, Field]:
     """The sphere's unit normals, how bright each is, how it shines, and whether each sample is on the ball."""
     half = int(radius) + 3
-    steps = (np.arange(2 * half * FINER) + 0.5) / FINER - half
+    finer = _finer(radius)
+    steps = (np.arange(2 * half * finer) + 0.5) / finer - half
     x = (steps[None, :] - part_x / PLACES) / radius
     y = -(steps[:, None] - part_y / PLACES) / radius
     flat = x * x + y * y
