@@ -185,7 +185,7 @@ class TableArt:
         for arc in self.pockets:
             dx, dy = self.x - arc.center[0], self.y - arc.center[1]
             near = dx * dx + dy * dy < 150.0
-            gleam[near] = 0.5 + 0.5 * np.cos(3.0 * np.arctan2(dy, dx)[near] - 0.9)
+            gleam[near] = 0.5 + 0.5 * np.cos(3.0 * np.arctan2(dy[near], dx[near]) - 0.9)
         self.canvas.paint(brass, BRASS, ((0.55 + 0.75 * gleam) * (0.45 + 0.6 * self.lamp)).astype(np.float32))
         self.canvas.paint(leather, LEATHER, (0.55 + 0.5 * self.lamp).astype(np.float32))
 
