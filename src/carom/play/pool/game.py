@@ -41,9 +41,6 @@ SHAPES, CUE, POTTED = 1, 2, 1 << 12
 #: The names of the balls that are to be potted, in the order in which they come onto the table.
 NAMES = ("eight", "one", "two", "three", "four", "five", "six", "seven")
 
-#: Shots that there are beyond one for each ball, where there are several.
-SPARE = 2
-
 
 class Phase(StrEnum):
     """What the player can do now."""
@@ -120,7 +117,7 @@ class Pool:
         self.cue, self.eight = self.world.balls
         self._all = self.cue.collides_with
         self.balls = [self.cue, self.eight, *(self._like_eight(name) for name in NAMES[1 : 1 + len(setup.more)])]
-        self.limit = len(setup.more) + 1 + SPARE if setup.more else None
+        self.limit = shots_for(1 + len(setup.more)) if setup.more else None
         self.phase = Phase.AIM
         self.shots = self.fouls = 0
         self.marks: list[Mark] = []
@@ -352,6 +349,11 @@ class Pool:
             for name, value in values.items():
                 setattr(self, name, value)
             self.marks, self.noises, self.potted = marks, noises, potted
+
+
+def shots_for(balls: int) -> int:
+    """Within how many shots some balls are to be potted: three in 5, five in 8, eight in 13."""
+    return balls + balls // 2 + 1
 
 
 def speed_of(power: float) -> float:
