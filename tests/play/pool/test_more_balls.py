@@ -26,7 +26,7 @@ DIAGONAL = (1.0, 1.0)
 BEHIND = Setup(cue=(232.0, 105.0), eight=(248.0, 121.0), more=((241.0, 114.0),))
 
 #: The cue ball lies in the jaws.
-DANGER = Setup(cue=(244.0, 117.0), eight=(60.0, 60.0), more=((63.5, 63.5),))
+DANGER = Setup(cue=(244.0, 117.0), eight=(100.0, 60.0), more=((63.5, 63.5),))
 
 
 def shot(pool: Pool, direction: tuple[float, float], power: float) -> Pool:
@@ -78,7 +78,7 @@ def test_a_foul_costs_a_shot_and_brings_the_cue_ball_back_to_the_base_line() -> 
     assert pool.cue.position == pytest.approx((254.0 / 4.0, 20.0))
     assert pool.setup == DANGER
     # It meets balls again, and may not be put anywhere after the next shot.
-    shot(pool, (pool.eight.position[0] - 63.5, pool.eight.position[1] - 20.0), 0.2)
+    shot(pool, (DANGER.eight[0] - 63.5, DANGER.eight[1] - 20.0), 0.4)
     assert pool.eight.position != DANGER.eight
     assert (pool.base_line, pool.phase) == (None, Phase.AIM)
 
