@@ -169,10 +169,12 @@ def _cue_paint(body: Field) -> Field:
 def _numbered_paint(body: Field, number: int) -> Field:
     """The colours of a ball with its number on a white disc on two sides."""
     disc = np.abs(body[..., 2]) > DISC
-    x, y = body[..., 0] * np.sign(body[..., 2]), body[..., 1]
-    figure = _eight(x, y) if number == 8 else _stroked(x, y, DIGITS[number])
-    paint = np.where((disc & ~figure)[..., None], np.array((246.0, 243.0, 236.0)), np.array(COLOURS[number]))
-    return np.where((disc & figure)[..., None], np.array(COLOURS[8]), paint)
+    x, y, z = body[disc].T
+    figure = _eight(x * np.sign(z), y) if number == 8 else _stroked(x * np.sign(z), y, DIGITS[number])
+    paint = np.empty(body.shape)
+    paint[:] = COLOURS[number]
+    paint[disc] = np.where(figure[:, None], np.array(COLOURS[8]), np.array((246.0, 243.0, 236.0)))
+    return paint
 
 
 def _eight(x: Field, y: Field) -> NDArray[np.bool_]:
