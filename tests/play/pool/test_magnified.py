@@ -43,7 +43,7 @@ def enlarge(player: Player, times: int) -> None:
     player.window.frame(0.0)
 
 
-@pytest.mark.parametrize("times", [2, 3])
+@pytest.mark.parametrize("times", [2, pytest.param(3, marks=pytest.mark.slow)])
 def test_a_magnified_picture_shows_the_same(player: Player, times: int) -> None:
     def shown() -> pygame.Surface:
         return pygame.transform.smoothscale(player.window.surface, (600, 360))
