@@ -32,6 +32,8 @@ def main(folder: Path) -> None:
     """Write the pictures into a folder."""
     for driver in ("SDL_VIDEODRIVER", "SDL_AUDIODRIVER"):
         os.environ[driver] = "dummy"
+    # As large as screens are: a smaller one makes the window smaller, and the mouse points elsewhere.
+    pygame.display.get_desktop_sizes = lambda: [(1920, 1080)]
     keep(PinballApp(print, Pinball(seed=3)), [], 1320, folder / "pinball-game.jpg")
     shot = [*[pygame.K_UP] * 8, pygame.K_c, pygame.K_RETURN]
     keep(PoolApp(print), shot, 200, folder / "pool-game.jpg", mouse=(843, 440))

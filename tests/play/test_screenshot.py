@@ -39,14 +39,14 @@ class Painted:
 
 
 @pytest.fixture
-def pictures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The user's pictures folder; the current one is another."""
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The current folder; the user's pictures folder is another."""
     folder, current = tmp_path / "Pictures", tmp_path / "here"
     folder.mkdir()
     current.mkdir()
     monkeypatch.setattr(platformdirs, "user_pictures_path", lambda: folder)
     monkeypatch.chdir(current)
-    return folder
+    return current
 
 
 def press(window: Window, key: int) -> None:
@@ -62,7 +62,7 @@ def told(window: Window) -> bool:
 
 
 @pytest.mark.parametrize("key", [pygame.K_PRINTSCREEN, pygame.K_F12])
-def test_a_key_keeps_the_picture_and_the_window_says_where(pictures: Path, key: int) -> None:
+def test_a_key_keeps_the_picture_and_the_window_says_where(here: Path, key: int) -> None:
     game = Painted()
     window = Window(game)
     written: list[str] = []
@@ -70,7 +70,7 @@ def test_a_key_keeps_the_picture_and_the_window_says_where(pictures: Path, key: 
     window._letters.draw = lambda surface, words, *rest: (written.append(words), draw(surface, words, *rest))[1]  # type: ignore[method-assign]
     window.frame(1 / 60)
     press(window, key)
-    (path,) = pictures.iterdir()
+    (path,) = here.iterdir()
     assert written == [f"screenshot kept as {path}"]
     assert path.name == "carom-a-game-1.png"
     assert game.keys == []
@@ -83,33 +83,26 @@ def test_a_key_keeps_the_picture_and_the_window_says_where(pictures: Path, key: 
     window.frame(0.1)
     window.frame(0.1)
     assert not told(window)
-    assert len(list(pictures.iterdir())) == 1
+    assert len(list(here.iterdir())) == 1
 
 
-def test_no_file_is_overwritten(pictures: Path) -> None:
+def test_no_file_is_overwritten(here: Path) -> None:
     window = Window(Painted())
     others = {1: b"one", 3: b"three"}
     for number, content in others.items():
-        (pictures / f"carom-a-game-{number}.png").write_bytes(content)
+        (here / f"carom-a-game-{number}.png").write_bytes(content)
     for _ in range(3):
         press(window, pygame.K_F12)
-    names = {path.name for path in pictures.iterdir()}
+    names = {path.name for path in here.iterdir()}
     assert names == {f"carom-a-game-{number}.png" for number in range(1, 6)}
     for number, content in others.items():
-        assert (pictures / f"carom-a-game-{number}.png").read_bytes() == content
-
-
-def test_without_a_pictures_folder_it_is_the_current_one(pictures: Path) -> None:
-    pictures.rmdir()
-    surface = pygame.Surface((3, 2))
-    assert screenshot.keep(surface, "x") == f"screenshot kept as {Path.cwd() / 'x-1.png'}"
-    assert not pictures.exists()
+        assert (here / f"carom-a-game-{number}.png").read_bytes() == content
 
 
 def test_a_folder_that_takes_nothing_is_passed_over_and_the_last_one_is_told_of(
-    pictures: Path, monkeypatch: pytest.MonkeyPatch
+    here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    real, refused = files.write_new, {pictures}
+    real, refused, pictures = files.write_new, {here}, platformdirs.user_pictures_path()
 
     def write(folder: Path, name: str, content: bytes) -> Path:
         if folder in refused:
@@ -118,9 +111,13 @@ def test_a_folder_that_takes_nothing_is_passed_over_and_the_last_one_is_told_of(
 
     monkeypatch.setattr(files, "write_new", write)
     surface = pygame.Surface((3, 2))
-    assert screenshot.keep(surface, "x") == f"screenshot kept as {Path.cwd() / 'x-1.png'}"
-    refused.add(Path.cwd())
-    assert screenshot.keep(surface, "x") == f"screenshot not kept: {Path.cwd()} takes no file (Permission denied)"
+    assert screenshot.keep(surface, "x") == f"screenshot kept as {pictures / 'x-1.png'}"
+    refused.add(pictures)
+    assert screenshot.keep(surface, "x") == f"screenshot not kept: {pictures} takes no file (Permission denied)"
+    (pictures / "x-1.png").unlink()
+    pictures.rmdir()
+    assert screenshot.keep(surface, "x") == f"screenshot not kept: {here} takes no file (Permission denied)"
+    assert not pictures.exists()
 
 
 def test_a_window_has_an_icon_before_it_opens(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -180,6 +180,44 @@ def test_a_screen_that_cannot_be_filled_leaves_the_window_as_large_as_it_was(mon
     check_whole(game, window, desktop)
 
 
+class Sharp(White):
+    """A game that is all white, and draws larger in large windows."""
+
+    size = (320, 200)
+
+    def magnify(self, times: int) -> None:
+        self.size = (320 * times, 200 * times)
+
+
+@pytest.mark.parametrize(
+    ("window_size", "times"),
+    [
+        ((319, 199), 1),
+        ((639, 900), 1),
+        ((640, 400), 2),
+        ((700, 400), 2),
+        ((800, 500), 2),
+        ((961, 700), 3),
+        ((1300, 830), 3),
+        ((1, 1), 1),
+    ],
+)
+def test_a_game_that_can_draws_larger_in_large_windows(
+    window_size: Size, times: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    desktop, game = Desktop(monkeypatch), Sharp()
+    window = Window(game)
+    desktop.frame(window, [window_size])
+    assert window.surface.get_size() == game.size == (320 * times, 200 * times)
+    # Whatever a system leaves in a window's new surface, it is black around the picture.
+    pygame.display.get_surface().fill(WHITE)
+    desktop.frame(window)
+    check_whole(game, window, desktop)
+    desktop.frame(window, [(320, 200)])
+    assert game.size == (320, 200)
+    assert window.surface is pygame.display.get_surface()
+
+
 def a_toy() -> Game:
     """The toy."""
     return Toy(lambda line: None)

@@ -318,12 +318,20 @@ def pinball(seconds: Seconds = None) -> None:
 
 
 @app.command()
-def pool(seconds: Seconds = None) -> None:
-    """Play the end of a game of pool.
+def pool(
+    balls: Annotated[
+        str,
+        typer.Option(metavar="NUMBER", help="Balls to pot, 1 to 8; where there are several, in so many shots."),
+    ] = "1",
+    seconds: Seconds = None,
+) -> None:
+    """Play the end of a game of pool, or pot all balls in so many shots.
 
     The mouse aims, its button draws the cue back, F1 is help.
     """
-    games.pool(span(seconds))
+    if balls not in map(str, range(1, games.MOST_BALLS + 1)):
+        raise Mistake(f"--balls {balls}: must be a whole number from 1 to {games.MOST_BALLS}")
+    games.pool(span(seconds), int(balls))
 
 
 def span(seconds: str | None) -> float | None:

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from carom.play.meter import FrameMeter
 
+#: How many balls there may be to pot in a game of pool.
+MOST_BALLS = 8
 #: The endings of charts.
 CHARTS = (".svg", ".png", ".pdf")
 
@@ -51,12 +53,12 @@ def pinball(seconds: float | None) -> None:
     report("pinball", run(tell=tell, seconds=seconds), seconds)
 
 
-def pool(seconds: float | None) -> None:
-    """Play pool."""
+def pool(seconds: float | None, balls: int) -> None:
+    """Play pool with so many balls to be potted."""
     needed("pygame", "pygame-ce", "play", "games")
     from carom.play.pool import run
 
-    report("pool", run(tell=tell, seconds=seconds), seconds)
+    report("pool", run(tell=tell, seconds=seconds, balls=balls), seconds)
 
 
 def report(name: str, meter: FrameMeter, seconds: float | None) -> None:

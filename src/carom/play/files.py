@@ -33,6 +33,6 @@ def write_new(folder: Path, name: str, content: bytes) -> Path:
     raise AssertionError("there is always a number")
 
 
-def existing(folder: Path) -> list[Path]:
-    """Where a file may go, the best place first: `folder` if there is one, then the current one."""
-    return [folder, Path.cwd()] if folder.is_dir() else [Path.cwd()]
+def places(folder: Path) -> list[Path]:
+    """Where a file may go, the best place first: where the program was started, then `folder`, if there is one."""
+    return [Path.cwd(), folder] if folder.is_dir() else [Path.cwd()]

@@ -14,6 +14,8 @@ from carom.play.icon import icon
 BLIND = {"offscreen", "dummy", "evdev"}
 #: The part of the desktop that a window may take whose picture is larger.
 ROOM = 0.88
+#: How many times as large a picture is drawn at most: 3 fills a screen of 3840 by 2160.
+LARGEST = 3
 #: What asks for a window as large as the screen.
 FILLING = (0, 0)
 #: What is around a picture that has not the window's form.
@@ -27,21 +29,28 @@ class NoDisplay(carom.CaromError):
 class Screen:
     """A window for a picture of `size` pixels, which is shown as large as the window has room for.
 
+    Args:
+        size: Width and height in pixels.
+        magnified: Whether the picture itself becomes larger in large windows, by a whole number of times.
+
     Attributes:
         picture: What is to be drawn into; the window itself, where it has the picture's size.
+        times: How many times as wide and high as `size` the picture is, from 1 to `LARGEST`.
     """
 
     picture: pygame.Surface
+    times: int
 
-    def __init__(self, size: tuple[int, int]) -> None:
+    def __init__(self, size: tuple[int, int], *, magnified: bool = False) -> None:
         check_screen()
         # Before the window opens: some systems show no other icon than the one it opened with.
         pygame.display.set_icon(icon())
         self._size = size
+        self._magnified = magnified
         self._full = False
         self._windowed = window_size(size, pygame.display.get_desktop_sizes()[0])
         self._open(self._windowed)
-        self._own = pygame.Surface(size).convert()
+        self._owns = {1: pygame.Surface(size).convert()}
         self.fit()
 
     def _open(self, wanted: tuple[int, int]) -> None:
@@ -58,8 +67,13 @@ class Screen:
         drawn: until the next events, what was found here holds.
         """
         window = shown()
-        self._area, self._scale = area_in(window.get_size(), self._size)
-        self.picture = window if window.get_size() == self._size else self._own
+        self._area, scale = area_in(window.get_size(), self._size)
+        self.times = min(max(int(scale), 1), LARGEST) if self._magnified else 1
+        self._scale = scale / self.times
+        wanted = self._size[0] * self.times, self._size[1] * self.times
+        if self.times not in self._owns:
+            self._owns[self.times] = pygame.Surface(wanted).convert()
+        self.picture = window if window.get_size() == wanted else self._owns[self.times]
 
     def toggle_full(self) -> None:
         """Go from a window to the full screen, or back to a window as large as it was.
@@ -78,7 +92,7 @@ class Screen:
 
     def seen(self, event: pygame.event.Event) -> pygame.event.Event:
         """An event with its places in the picture's pixels."""
-        if self.picture is not self._own or not hasattr(event, "pos"):
+        if self.picture is not self._owns[self.times] or not hasattr(event, "pos"):
             return event
         values: dict[str, Any] = dict(event.dict)
         x, y = values["pos"]
@@ -89,11 +103,19 @@ class Screen:
 
     def show(self) -> None:
         """Bring the picture into the window, and black around it."""
-        if self.picture is self._own:
-            window = shown()
-            # Each time: the window's surface is a new one whenever its size has changed.
-            window.fill(AROUND)
-            pygame.transform.smoothscale(self._own, self._area.size, window.subsurface(self._area))
+        if self.picture is not self._owns[self.times]:
+            return
+        # Each time: the window's surface is a new one whenever its size has changed.
+        window, area = shown(), self._area
+        width, height = window.get_size()
+        for around in ((0, 0, area.left, height), (area.right, 0, width, height)):
+            window.fill(AROUND, around)
+        for around in ((0, 0, width, area.top), (0, area.bottom, width, height)):
+            window.fill(AROUND, around)
+        if area.size == self.picture.get_size():
+            window.blit(self.picture, area)
+        else:
+            pygame.transform.smoothscale(self.picture, area.size, window.subsurface(area))
 
 
 def shown() -> pygame.Surface:

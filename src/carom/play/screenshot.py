@@ -1,4 +1,4 @@
-"""Screenshots: the picture of a game as a PNG file of its own, in the user's pictures folder or the current one."""
+"""Screenshots: the picture of a game as a PNG file of its own, where the program was started."""
 
 from __future__ import annotations
 
@@ -16,6 +16,4 @@ def keep(surface: pygame.Surface, title: str) -> str:
     png = BytesIO()
     pygame.image.save(surface, png, "screenshot.png")
     stem = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
-    return "screenshot " + files.keep(
-        files.existing(platformdirs.user_pictures_path()), stem + "-{}.png", png.getvalue()
-    )
+    return "screenshot " + files.keep(files.places(platformdirs.user_pictures_path()), stem + "-{}.png", png.getvalue())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import pygame
 
@@ -53,12 +53,22 @@ class Game(Protocol):
         """Draw the frame into a surface of `size` pixels."""
 
 
+@runtime_checkable
+class Sharp(Protocol):
+    """A game that can draw its picture larger, which is done in large windows instead of enlarging what is drawn."""
+
+    def magnify(self, times: int) -> None:
+        """Draw the picture `times` as wide and high as at first from now on; `size` and places follow."""
+
+
 class Window:
     """A window with a game in it. Raises `NoDisplay` where there is no screen."""
 
     def __init__(self, game: Game) -> None:
         self._game = game
-        self._screen = Screen(game.size)
+        self._screen = Screen(game.size, magnified=isinstance(game, Sharp))
+        self._times = 1
+        self._magnify()
         self._letters = Letters()
         self._shooting = False
         self._kept, self._kept_left = "", 0.0
@@ -75,6 +85,7 @@ class Window:
         game.meter.begin()
         events = pygame.event.get()
         screen.fit()
+        self._magnify()
         for event in events:
             if event.type == pygame.QUIT:
                 game.running = False
@@ -92,6 +103,12 @@ class Window:
         game.meter.end()
         pygame.display.flip()
 
+    def _magnify(self) -> None:
+        """Have the game draw as large as the screen has its picture."""
+        if self._screen.times != self._times and isinstance(self._game, Sharp):
+            self._times = self._screen.times
+            self._game.magnify(self._times)
+
     def _keep(self) -> None:
         """Keep a screenshot, if that was asked for."""
         if self._shooting:
@@ -104,12 +121,12 @@ class Window:
         if self._kept_left > 0.0:
             lines.append(self._kept)
             self._kept_left -= seconds
-        letters, bottom = self._letters, self._game.size[1]
+        letters, bottom, times = self._letters, self._game.size[1], self._times
         for words in lines:
-            area = pygame.Rect(0, 0, letters.width(words, SMALL) + 12, SMALL + 6)
+            area = pygame.Rect(0, 0, letters.width(words, SMALL * times) + 12 * times, (SMALL + 6) * times)
             area.bottomleft = (0, bottom)
             self.surface.fill(PLATE, area)
-            letters.draw(self.surface, words, (area.left + 6, area.top + 2), SMALL, INK)
+            letters.draw(self.surface, words, (area.left + 6 * times, area.top + 2 * times), SMALL * times, INK)
             bottom = area.top
 
     def run(self, seconds: float | None = None) -> FrameMeter:

@@ -69,8 +69,8 @@ def test_the_picture_shows_cloth_wood_and_dark_pockets() -> None:
 
 
 def test_a_ball_covers_its_circle_and_nothing_else() -> None:
-    for eight in (False, True):
-        changed = np.abs(drawn(RollingBall(BALL, eight)) - (0, 90, 80)).max(axis=2) > 8
+    for number in range(9):
+        changed = np.abs(drawn(RollingBall(BALL, number)) - (0, 90, 80)).max(axis=2) > 8
         x, y = np.meshgrid(np.arange(40) + 0.5, np.arange(40) + 0.5, indexing="ij")
         distance = np.hypot(x - 20.0, y - 20.0)
         assert changed[distance < BALL - 1.0].mean() > 0.99
@@ -78,7 +78,7 @@ def test_a_ball_covers_its_circle_and_nothing_else() -> None:
 
 
 def test_a_ball_lies_between_pixels_too() -> None:
-    ball = RollingBall(BALL, eight=False)
+    ball = RollingBall(BALL, number=0)
     x = np.arange(40) + 0.5
     middles = []
     for shift in (0.0, 0.25, 0.5, 0.75):
@@ -89,7 +89,7 @@ def test_a_ball_lies_between_pixels_too() -> None:
 
 
 def test_a_ball_rolls_over_its_circumference_in_one_turn() -> None:
-    ball = RollingBall(BALL, eight=True)
+    ball = RollingBall(BALL, number=8)
     before = drawn(ball)
     ball.roll(0.0, 0.0)
     assert (drawn(ball) == before).all()
@@ -103,7 +103,7 @@ def test_a_ball_rolls_over_its_circumference_in_one_turn() -> None:
 
 
 def test_a_point_on_top_of_a_ball_rolls_the_way_it_goes() -> None:
-    ball = RollingBall(BALL, eight=True)
+    ball = RollingBall(BALL, number=8)
     ball.turn = np.eye(3)
     ball.roll(0.3 * BALL, 0.0)
     top = ball.turn @ np.array((0.0, 0.0, 1.0))
@@ -112,7 +112,7 @@ def test_a_point_on_top_of_a_ball_rolls_the_way_it_goes() -> None:
 
 
 def test_a_ball_in_a_pocket_is_smaller_and_darker() -> None:
-    ball = RollingBall(BALL, eight=False)
+    ball = RollingBall(BALL, number=0)
     bright, dark = drawn(ball), drawn(ball, size=0.8, bright=0.3)
     assert dark[20, 20].sum() < 0.5 * bright[20, 20].sum()
     assert (np.abs(dark - (0, 90, 80)).max(axis=2) > 8).sum() < (np.abs(bright - (0, 90, 80)).max(axis=2) > 8).sum()

@@ -186,7 +186,7 @@ def test_the_shot_goes_as_the_line_of_aim_says() -> None:
     direction = (15.0, 9.5)
     shown = preview(pool, direction)
     assert shown is not None
-    assert shown.eight is not None
+    assert shown.struck is not None
     assert shown.cue is not None
     pool.shoot(direction, 0.5)
     pool.to_impact()
@@ -208,8 +208,8 @@ def test_both_balls_meet_next_what_their_lines_end_at(number: int) -> None:
     shot = setups.lines(pool)[0]
     shown = preview(pool, shot.direction)
     assert shown is not None
-    assert shown.eight is not None
-    assert shown.eight.pocket == shot.pocket
+    assert shown.struck is not None
+    assert shown.struck.pocket == shot.pocket
     pool.shoot(shot.direction, 0.8)
     play_out(pool)
     assert pool.potted["eight"].pocket == shot.pocket
@@ -223,7 +223,7 @@ def test_the_line_of_aim_warns_of_a_pocket() -> None:
     shown = preview(pool, DIAGONAL)
     assert shown is not None
     assert shown.pocket == "upper right pocket"
-    assert shown.eight is None
+    assert shown.struck is None
 
 
 def test_after_a_cushion_the_line_goes_on_to_the_eight() -> None:
@@ -244,10 +244,10 @@ def test_a_shot_is_strong_enough_where_the_line_says_so() -> None:
     direction = setups.lines(pool)[0].direction
     shown = preview(pool, direction)
     assert shown is not None
-    assert shown.eight is not None
+    assert shown.struck is not None
     ends = {}
     for power in (0.2, 0.34, 0.36, 0.38, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.8):
-        potted = reaches(pool, shown, shown.eight, shown.aim.other_speed, power)
+        potted = reaches(pool, shown, shown.struck, shown.aim.other_speed, power)
         fall = scratch(pool, shown, power)
         with pool.trial():
             pool.shoot(direction, power)
@@ -267,8 +267,8 @@ def test_a_line_that_meets_nothing_is_none() -> None:
         pool, (pool.eight.position[0] - pool.cue.position[0], pool.eight.position[1] - pool.cue.position[1])
     )
     assert shown is not None
-    assert shown.eight is not None
-    assert dist(shown.eight.start, shown.eight.end) == pytest.approx(400.0)
+    assert shown.struck is not None
+    assert dist(shown.struck.start, shown.struck.end) == pytest.approx(400.0)
 
 
 # -- the marks of impacts --------------------------------------------------------------------------------------------

@@ -214,10 +214,10 @@ def test_the_preview_ends_where_the_balls_will_stop(power: float) -> None:
     ends = [rest or shown.aim.ghost, pool.eight.position]
     if rest is None:
         assert shown.cue is not None
-        assert shown.eight is not None
+        assert shown.struck is not None
         ends = [
             until_rest(pool, shown, shown.cue, shown.aim.speed, power).end,
-            until_rest(pool, shown, shown.eight, shown.aim.other_speed, power).end,
+            until_rest(pool, shown, shown.struck, shown.aim.other_speed, power).end,
         ]
     assert (rest is None) is (power > 0.1)
     pool.shoot(session.direction, power)

@@ -211,7 +211,7 @@ def brightened(player: Player, place: tuple[float, float], radius: float) -> flo
     x, y = player.app.view.layout.pixel(place)
     angles = [2.0 * pi * part / 40.0 for part in range(40)]
     pixels = [(round(x + radius * cos(angle) - 0.5), round(y + radius * sin(angle) - 0.5)) for angle in angles]
-    screen, table = player.window.surface, player.app.view.table
+    screen, table = player.window.surface, player.app.view.table.picture
     return sum(sum(screen.get_at(pixel)[:3]) > sum(table.get_at(pixel)[:3]) + 60 for pixel in pixels) / len(pixels)
 
 

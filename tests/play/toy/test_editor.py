@@ -7,7 +7,6 @@ from math import hypot, pi
 from pathlib import Path
 from typing import Any
 
-import platformdirs
 import pygame
 import pytest
 from hypothesis import Phase, given, settings
@@ -180,7 +179,7 @@ def test_a_part_is_dragged_with_all_of_its_compound(player: Player) -> None:
 def test_a_table_is_kept_as_a_scene_file_and_said_where(
     player: Player, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(platformdirs, "user_documents_path", lambda: tmp_path)
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "carom-table-1.toml").write_text("mine")
     player.desk.editor.add(player.desk.tables, "circle", (8.0, 13.0), 0.5)
     player.click("save")

@@ -84,6 +84,8 @@ def test_a_missing_package_is_asked_for(
         (("toy", "--out", "chart.svg"), "--out chart.svg: is for --chart"),
         (("toy", "--chart", "--out", "chart.txt"), "chart.txt: its ending must be one of .svg, .png, .pdf"),
         (("pool", "--seconds", "0"), "--seconds 0: must be above 0"),
+        (("pool", "--balls", "9"), "--balls 9: must be a whole number from 1 to 8"),
+        (("pool", "--balls", "all"), "--balls all: must be a whole number from 1 to 8"),
         (("pinball", "--seconds", "long"), "--seconds long: is no number"),
     ],
 )

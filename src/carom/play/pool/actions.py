@@ -28,6 +28,7 @@ class Action(StrEnum):
     TO_IMPACT = auto()
     AGAIN = auto()
     SAME = auto()
+    MORE = auto()
     PAUSE = auto()
     MUTE = auto()
     HELP = auto()
@@ -54,6 +55,7 @@ KEYS = {
     pygame.K_b: Action.TO_IMPACT,
     pygame.K_r: Action.AGAIN,
     pygame.K_t: Action.SAME,
+    pygame.K_g: Action.MORE,
     pygame.K_p: Action.PAUSE,
     pygame.K_m: Action.MUTE,
     pygame.K_h: Action.HELP,
@@ -80,7 +82,7 @@ BUTTONS = {
 #: What the help says: the keys, the buttons of a controller, and what they do.
 HELP: tuple[tuple[str, str, str], ...] = (
     ("Mouse, Left and Right", "cross, stick", "aim; with Shift very finely"),
-    ("W and X", "", "before the first shot: cue ball on the base line; or drag it"),
+    ("W and X", "", "first shot, or after a foul: place the cue ball; or drag it"),
     ("Space or left button", "A", "shoot as the power says; hold: draw the cue, let go"),
     ("Backspace, right button", "B", "put the cue down again"),
     ("Up and Down, wheel", "cross, stick", "power"),
@@ -92,6 +94,7 @@ HELP: tuple[tuple[str, str, str], ...] = (
     ("B", "right shoulder", "step mode: on to the next impact"),
     ("R, or Return at the end", "Start", "again, from another position"),
     ("T", "", "again, from the same position"),
+    ("G", "", "another game: the eight, or 3, 5, 8 balls in so many shots"),
     ("P", "", "pause"),
     ("M", "", "sound on and off"),
     ("F1 or H", "Back", "this help"),

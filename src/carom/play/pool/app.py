@@ -27,16 +27,17 @@ MOUSE = {LEFT_BUTTON: Action.DRAW, RIGHT_BUTTON: Action.CANCEL}
 
 
 class PoolApp:
-    """The game as a window shows it. `seed` says which positions come after the first one."""
+    """The game as a window shows it: `seed` says which positions come, `balls` how many are to be potted."""
 
     title = "carom: the pool end game"
     size = SIZE
 
-    def __init__(self, tell: Callable[[str], None], seed: int = 0) -> None:
-        self.session = Session(seed)
+    def __init__(self, tell: Callable[[str], None], seed: int = 0, balls: int = 1) -> None:
+        self.session = Session(seed, balls)
         self.controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
         self.speaker = Speaker(sounds.waves(), tell)
         self.view = View(self.session)
+        self._views = {1: self.view}
         self.meter = FrameMeter(RATE)
         self._ticker = Ticker(STEP)
         self._phase = Phase.AIM
@@ -45,6 +46,14 @@ class PoolApp:
             self.session.pool.shoot(self.session.direction, 0.0)
             self.session.pool.step()
         self.session.preview()
+
+    def magnify(self, times: int) -> None:
+        """Draw the picture `times` as large from now on."""
+        if times not in self._views:
+            self._views[times] = View(self.session, times)
+        self._views[times].go_on_from(self.view)
+        self.view = self._views[times]
+        self.size = self.view.layout.size
 
     @property
     def running(self) -> bool:
@@ -103,6 +112,6 @@ class PoolApp:
         self.view.draw(surface, self.session, self.meter)
 
 
-def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:
-    """The times of the frames of a sitting, which ends with the window or after some seconds."""
-    return play(lambda: PoolApp(tell), seconds)
+def run(*, tell: Callable[[str], None], seconds: float | None = None, balls: int = 1) -> FrameMeter:
+    """The times of the frames of a sitting with so many balls, which ends with the window or after some seconds."""
+    return play(lambda: PoolApp(tell, balls=balls), seconds)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
+from itertools import pairwise
 from math import cos, floor, hypot, sin
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
 
 Field: TypeAlias = NDArray[np.float64]
 
-#: Samples along each side of a pixel.
-FINER = 3
+#: Samples along each side of a pixel, and of one of a ball whose radius is more than `LARGE` pixels.
+FINER, FEWER, LARGE = 3, 2, 16.0
 
 #: Places within a pixel, along each axis, that a ball's centre is rounded to.
 PLACES = 4
@@ -26,8 +27,42 @@ PLACES = 4
 #: Towards the lamp: x to the right, y up, z out of the screen.
 LAMP = np.array((-0.36, 0.48, 0.80))
 
-#: The number's disc on the eight and the spots of the cue ball: the cosine of the angle that they span.
+#: The number's disc on a ball and the spots of the cue ball: the cosine of the angle that they span.
 DISC, SPOT = cos(0.62), cos(0.17)
+
+#: The colour of each ball by its number, red, green, blue; 8 is that of all figures too.
+COLOURS: dict[int, tuple[float, float, float]] = {
+    1: (236.0, 186.0, 30.0),
+    2: (32.0, 72.0, 178.0),
+    3: (206.0, 40.0, 36.0),
+    4: (104.0, 44.0, 138.0),
+    5: (236.0, 116.0, 28.0),
+    6: (20.0, 104.0, 52.0),
+    7: (122.0, 28.0, 36.0),
+    8: (26.0, 26.0, 30.0),
+}
+
+#: The figures as lines on a disc whose radius is about 0.58, the ball's being 1; and half a line's width.
+DIGITS: dict[int, tuple[Vector, ...]] = {
+    1: ((-0.1, 0.17), (0.03, 0.28), (0.03, -0.28)),
+    2: ((-0.14, 0.17), (-0.05, 0.28), (0.08, 0.28), (0.15, 0.17), (0.12, 0.05), (-0.15, -0.28), (0.17, -0.28)),
+    3: ((-0.14, 0.28), (0.14, 0.28), (-0.01, 0.05), (0.13, -0.04), (0.14, -0.18), (0.02, -0.28), (-0.15, -0.22)),
+    4: ((0.07, -0.28), (0.07, 0.28), (-0.17, -0.1), (0.18, -0.1)),
+    5: ((0.14, 0.28), (-0.11, 0.28), (-0.13, 0.04), (0.05, 0.07), (0.15, -0.08), (0.1, -0.23), (-0.15, -0.26)),
+    6: (
+        (0.1, 0.28),
+        (-0.06, 0.16),
+        (-0.14, -0.08),
+        (-0.1, -0.24),
+        (0.03, -0.28),
+        (0.14, -0.16),
+        (0.1, -0.02),
+        (-0.03, 0.03),
+        (-0.13, -0.1),
+    ),
+    7: ((-0.15, 0.28), (0.16, 0.28), (-0.03, -0.28)),
+}
+STROKE = 0.055
 
 
 def _turned(axis: tuple[float, float, float], angle: float) -> Field:
@@ -47,13 +82,13 @@ class RollingBall:
 
     Args:
         radius: In pixels.
-        eight: Whether it is the eight; else it is the cue ball.
+        number: Its number, from 1 to 8; 0 is the cue ball.
     """
 
-    def __init__(self, radius: float, eight: bool) -> None:
+    def __init__(self, radius: float, number: int) -> None:
         self.radius = radius
-        self._paint = _eight_paint if eight else _cue_paint
-        self._gloss = 0.95 if eight else 0.55
+        self._paint = partial(_numbered_paint, number=number) if number else _cue_paint
+        self._gloss = 0.95 if number else 0.55
         self._drawn: tuple[tuple[int, int, float, float], pygame.Surface] | None = None
         self.turn = UPRIGHT
 
@@ -61,6 +96,10 @@ class RollingBall:
         """Turn it as a ball is put onto the table: its number can be read."""
         if self.turn is not UPRIGHT:
             self.turn, self._drawn = UPRIGHT, None
+
+    def turn_as(self, other: RollingBall) -> None:
+        """Turn it as another one is turned."""
+        self.turn, self._drawn = other.turn, None
 
     def roll(self, dx: float, dy: float) -> None:
         """Roll it without slipping over `dx` and `dy`, in pixels, y up."""
@@ -86,19 +125,26 @@ class RollingBall:
         colour = self._paint(normal @ self.turn)
         light = colour * shade[..., None] + (255.0 * self._gloss) * gloss[..., None]
         light = np.minimum(light, 255.0) * (bright * cover)[..., None]
-        side = cover.shape[0] // FINER
-        blocks = (side, FINER, side, FINER)
+        finer = _finer(radius)
+        side = cover.shape[0] // finer
+        blocks = (side, finer, side, finer)
         total = cover.reshape(blocks).sum(axis=(1, 3))
         mean = light.reshape((*blocks, 3)).sum(axis=(1, 3)) / np.maximum(total, 1e-9)[..., None]
-        alpha = total * (255.0 / (FINER * FINER))
+        alpha = total * (255.0 / (finer * finer))
         return surface_of(np.concatenate((mean, alpha[..., None]), axis=2).round().astype(np.uint8))
+
+
+def _finer(radius: float) -> int:
+    """How many samples there are along each side of a pixel of a ball."""
+    return FEWER if radius > LARGE else FINER
 
 
 @lru_cache(maxsize=256)
 def _light(part_x: int, part_y: int, radius: float) -> tuple[Field, Field, Field, Field]:
     """The sphere's unit normals, how bright each is, how it shines, and whether each sample is on the ball."""
     half = int(radius) + 3
-    steps = (np.arange(2 * half * FINER) + 0.5) / FINER - half
+    finer = _finer(radius)
+    steps = (np.arange(2 * half * finer) + 0.5) / finer - half
     x = (steps[None, :] - part_x / PLACES) / radius
     y = -(steps[:, None] - part_y / PLACES) / radius
     flat = x * x + y * y
@@ -120,11 +166,28 @@ def _cue_paint(body: Field) -> Field:
     return np.where(spots[..., None], np.array((196.0, 40.0, 38.0)), np.array((250.0, 245.0, 230.0)))
 
 
-def _eight_paint(body: Field) -> Field:
-    """The colours of the eight: black, with its number on a white disc on two sides."""
+def _numbered_paint(body: Field, number: int) -> Field:
+    """The colours of a ball with its number on a white disc on two sides."""
     disc = np.abs(body[..., 2]) > DISC
-    x, y = body[..., 0] * np.sign(body[..., 2]), body[..., 1]
+    x, y, z = body[disc].T
+    figure = _eight(x * np.sign(z), y) if number == 8 else _stroked(x * np.sign(z), y, DIGITS[number])
+    paint = np.empty(body.shape)
+    paint[:] = COLOURS[number]
+    paint[disc] = np.where(figure[:, None], np.array(COLOURS[8]), np.array((246.0, 243.0, 236.0)))
+    return paint
+
+
+def _eight(x: Field, y: Field) -> NDArray[np.bool_]:
+    """Whether places on a ball's disc are in an 8: two rings."""
     upper, lower = np.hypot(x, y - 0.17), np.hypot(x, y + 0.15)
-    figure = (np.abs(upper - 0.125) < 0.055) | (np.abs(lower - 0.155) < 0.055)
-    white = disc & ~figure
-    return np.where(white[..., None], np.array((246.0, 243.0, 236.0)), np.array((26.0, 26.0, 30.0)))
+    return (np.abs(upper - 0.125) < 0.055) | (np.abs(lower - 0.155) < 0.055)
+
+
+def _stroked(x: Field, y: Field, corners: tuple[Vector, ...]) -> NDArray[np.bool_]:
+    """Whether places on a ball's disc are in a figure, which is one line along its corners."""
+    drawn = np.zeros(x.shape, bool)
+    for (x0, y0), (x1, y1) in pairwise(corners):
+        dx, dy = x1 - x0, y1 - y0
+        along = np.clip(((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy), 0.0, 1.0)
+        drawn |= np.hypot(x - x0 - along * dx, y - y0 - along * dy) < STROKE
+    return drawn

@@ -14,27 +14,27 @@ from carom.play.pool.game import Vector
 #: One number for each pixel, of shape (width, height): how much of it is covered, or how bright it is.
 Field: TypeAlias = NDArray[np.float32]
 
-#: Pixels of a mask are first drawn so many times finer along each side.
-FINER = 3
-
 
 class Canvas:
-    """A picture of `size` pixels as numbers from 0 to 255, of shape (width, height, 3)."""
+    """A picture of `size` pixels as numbers from 0 to 255, of shape (width, height, 3).
 
-    def __init__(self, size: tuple[int, int]) -> None:
-        self.size = size
+    Pixels of a mask are first drawn `finer` times finer along each side.
+    """
+
+    def __init__(self, size: tuple[int, int], finer: int = 3) -> None:
+        self.size, self.finer = size, finer
         self.light = np.zeros((*size, 3), np.float32)
-        self._fine = pygame.Surface((size[0] * FINER, size[1] * FINER), 0, 32)
+        self._fine = pygame.Surface((size[0] * self.finer, size[1] * self.finer), 0, 32)
 
     def mask(self, draw: Callable[[pygame.Surface], object]) -> Field:
-        """How much of each pixel is covered by what `draw` paints white on a surface `FINER` times as large."""
+        """How much of each pixel is covered by what `draw` paints white on a surface `finer` times as large."""
         self._fine.fill(0)
         draw(self._fine)
         return _red(pygame.transform.smoothscale(self._fine, self.size))
 
     def polygon(self, corners: Sequence[Vector]) -> Field:
         """The mask of a polygon."""
-        fine = [(x * FINER, y * FINER) for x, y in corners]
+        fine = [(x * self.finer, y * self.finer) for x, y in corners]
         return self.mask(lambda surface: pygame.draw.polygon(surface, "white", fine))
 
     def polygons(self, many: Sequence[Sequence[Vector]]) -> Field:
@@ -42,7 +42,7 @@ class Canvas:
 
         def draw(surface: pygame.Surface) -> None:
             for corners in many:
-                pygame.draw.polygon(surface, "white", [(x * FINER, y * FINER) for x, y in corners])
+                pygame.draw.polygon(surface, "white", [(x * self.finer, y * self.finer) for x, y in corners])
 
         return self.mask(draw)
 
@@ -51,14 +51,14 @@ class Canvas:
 
         def draw(surface: pygame.Surface) -> None:
             for (x, y), radius in discs:
-                pygame.draw.circle(surface, "white", (x * FINER, y * FINER), radius * FINER)
+                pygame.draw.circle(surface, "white", (x * self.finer, y * self.finer), radius * self.finer)
 
         return self.mask(draw)
 
     def box(self, left: float, top: float, width: float, height: float, corner: float = 0.0) -> Field:
         """The mask of a box with round corners."""
-        edges = pygame.Rect(*(round(value * FINER) for value in (left, top, width, height)))
-        return self.mask(lambda surface: pygame.draw.rect(surface, "white", edges, 0, round(corner * FINER)))
+        edges = pygame.Rect(*(round(value * self.finer) for value in (left, top, width, height)))
+        return self.mask(lambda surface: pygame.draw.rect(surface, "white", edges, 0, round(corner * self.finer)))
 
     def paint(self, mask: Field, colour: Sequence[float] | NDArray[np.float32], shade: Field | float = 1.0) -> None:
         """Lay a colour, or a picture, times `shade` over what `mask` covers."""

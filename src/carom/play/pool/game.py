@@ -2,13 +2,16 @@
 
 The cue ball and the eight lie at rest; the player shoots the cue ball. The game is won where the eight is potted and
 the cue ball stays, lost where the cue ball is potted. Where neither falls, the player shoots again.
+
+With more balls it is another game: all of them are to be potted, in any order, within so many shots. A potted cue ball
+is a foul, which costs a shot more; then it is put on the base line again.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import hypot
 from typing import Any, TypeAlias
@@ -31,8 +34,12 @@ LEAST_IMPULSE = 0.02
 #: Radii between the cue ball's centre and a cushion, and between those of both balls, where it is put by hand.
 ROOM = 2.1
 
-#: The layers of the shapes and of the two balls, so that a question to the world can leave balls out.
-SHAPES, CUE, EIGHT = 1, 2, 4
+#: The layers of the shapes and of the cue ball; those after it are the other balls', one each, so that questions to the
+#: world can leave balls out. A ball that is potted meets shapes alone, so that the next one finds room in the pocket.
+SHAPES, CUE, POTTED = 1, 2, 1 << 12
+
+#: The names of the balls that are to be potted, in the order in which they come onto the table.
+NAMES = ("eight", "one", "two", "three", "four", "five", "six", "seven")
 
 
 class Phase(StrEnum):
@@ -84,10 +91,11 @@ class Fall:
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """Where the two balls lie before the first shot."""
+    """Where the balls lie before the first shot; `more` are those besides the eight."""
 
     cue: Vector
     eight: Vector
+    more: tuple[Vector, ...] = ()
 
 
 #: The first position: the eight lies for the lower right pocket, at a comfortable angle.
@@ -95,33 +103,70 @@ FIRST = Setup(cue=(72.0, 78.0), eight=(196.0, 46.0))
 
 
 class Pool:
-    """One game: the world, whose turn of events it is, and the marks of the last shot."""
+    """One game: the world, whose turn of events it is, and the marks of the last shot.
+
+    Attributes:
+        balls: The cue ball, and those that are to be potted, the eight first.
+        limit: Shots within which all are to be potted, or None where there is the eight alone.
+        fouls: How often the cue ball was potted; each counts as a shot.
+        gone: The names of the balls that were potted before the last shot.
+    """
 
     def __init__(self, setup: Setup = FIRST) -> None:
         self.world = carom.scenes.pool().build()
         self.cue, self.eight = self.world.balls
-        self.cue.layer, self.eight.layer = CUE, EIGHT
+        self._all = self.cue.collides_with
+        self.balls = [self.cue, self.eight, *(self._like_eight(name) for name in NAMES[1 : 1 + len(setup.more)])]
+        self.limit = shots_for(1 + len(setup.more)) if setup.more else None
         self.phase = Phase.AIM
-        self.shots = 0
+        self.shots = self.fouls = 0
         self.marks: list[Mark] = []
         self.noises: list[tuple[Impact, float]] = []
         self.potted: dict[str, Fall] = {}
+        self.gone: frozenset[str] = frozenset()
         self.moving = False
         self._shot_at = 0.0
         self.place(setup)
 
+    @classmethod
+    def of(cls, balls: int) -> Pool:
+        """A game with so many balls to be potted, at most `len(NAMES)`, none of which has been placed yet."""
+        setup = FIRST if balls == 1 else replace(FIRST, more=tuple((20.0 * ball, 20.0) for ball in range(1, balls)))
+        return cls(setup)
+
+    def _like_eight(self, name: str) -> carom.Ball:
+        """Another ball of the eight's size and mass; where it lies is said by `place`."""
+        eight = self.eight
+        return self.world.add(
+            carom.Ball((0.0, 0.0), eight.radius, mass=eight.mass, elasticity=eight.elasticity, name=name)
+        )
+
     def place(self, setup: Setup) -> None:
-        """Begin a game with the balls at rest where `setup` has them."""
-        for ball, place in ((self.cue, setup.cue), (self.eight, setup.eight)):
+        """Begin a game with as many balls at rest where `setup` has them."""
+        places = (setup.cue, setup.eight, *setup.more)
+        for number, (ball, place) in enumerate(zip(self.balls, places, strict=True)):
             ball.velocity, ball.position = (0.0, 0.0), place
+            ball.layer, ball.collides_with = CUE << number, self._all
         self.setup = setup
         self.phase = Phase.AIM
-        self.shots = 0
+        self.shots = self.fouls = 0
         self.marks.clear()
         self.noises.clear()
         self.potted.clear()
+        self.gone = frozenset()
         self.moving = False
-        self.shot_from = (setup.cue, setup.eight)
+        self.in_hand = True
+        self.shot_from = places
+
+    @property
+    def targets(self) -> list[carom.Ball]:
+        """The balls that are still to be potted."""
+        return [ball for ball in self.balls[1:] if ball.name not in self.potted]
+
+    @property
+    def used(self) -> int:
+        """How many shots are used up: those made, and one for each foul."""
+        return self.shots + self.fouls
 
     @property
     def cloth(self) -> Vector:
@@ -133,23 +178,36 @@ class Pool:
 
     @property
     def base_line(self) -> tuple[Vector, Vector] | None:
-        """The ends of the line, a quarter along the table, on which the cue ball may be put; None after a shot."""
-        if self.shots > 0 or self.phase is not Phase.AIM:
+        """The ends of the line, a quarter along the table, where the cue ball may be put; None where it may not.
+
+        It may before the first shot, and after a foul.
+        """
+        if not self.in_hand or self.phase is not Phase.AIM:
             return None
+        return self._line()
+
+    def _line(self) -> tuple[Vector, Vector]:
+        """The ends of the base line, so far from the cushions that the cue ball has room."""
         (width, height), room = self.cloth, ROOM * self.cue.radius
         return (0.25 * width, room), (0.25 * width, height - room)
 
     def put_cue(self, height: float) -> None:
-        """Put the cue ball on the base line, as high as that allows, not upon the eight; not after a shot."""
+        """Put the cue ball on the base line, as high as that allows, not upon another; only where it may be put."""
         line = self.base_line
         if line is None:
             return
         (x, low), (_, high) = line
         place = x, min(max(height, low), high)
-        if hypot(place[0] - self.eight.position[0], place[1] - self.eight.position[1]) >= ROOM * self.cue.radius:
+        if self._is_free(place):
             self.cue.position = place
-            self.setup = Setup(place, self.setup.eight)
-            self.shot_from = (place, self.setup.eight)
+            self.shot_from = (place, *self.shot_from[1:])
+            if self.shots == 0:
+                self.setup = replace(self.setup, cue=place)
+
+    def _is_free(self, place: Vector) -> bool:
+        """Whether the cue ball has room at a place, clear of the balls on the table."""
+        ways = (hypot(place[0] - ball.position[0], place[1] - ball.position[1]) for ball in self.targets)
+        return all(way >= ROOM * self.cue.radius for way in ways)
 
     @property
     def over(self) -> bool:
@@ -167,10 +225,11 @@ class Pool:
         if self.phase is not Phase.AIM or length == 0.0:
             return
         speed = speed_of(power)
-        self.shot_from = (self.cue.position, self.eight.position)
+        self.shot_from = tuple(ball.position for ball in self.balls)
+        self.gone = frozenset(self.potted)
         self.cue.velocity = (speed * direction[0] / length, speed * direction[1] / length)
         self.phase = Phase.ROLL
-        self.moving = True
+        self.moving, self.in_hand = True, False
         self.shots += 1
         self.marks.clear()
         self.noises.append((Impact.STRIKE, speed * self.cue.mass))
@@ -187,14 +246,22 @@ class Pool:
         for place in np.flatnonzero(entered | seen):
             hit = hits[int(place)]
             if hit.kind is carom.HitKind.ENTER:
-                self.potted.setdefault(hit.ball.name or "", Fall(hit.shape.name or "", hit.time))
+                self._fall(hit)
             else:
                 self._bounce(hit)
-        if self.cue.name in self.potted:
+        if self.limit is None and self.cue.name in self.potted:
             self.phase = Phase.LOST
-        if self.cue.asleep and self.eight.asleep:
+        if all(ball.asleep for ball in self.balls):
             self._rest()
         return hits
+
+    def _fall(self, hit: Any) -> None:
+        """Note that a ball was potted, and take it out of the way of others."""
+        name = hit.ball.name or ""
+        if name not in self.potted:
+            self.potted[name] = Fall(hit.shape.name or "", hit.time)
+            if self.limit is not None:
+                hit.ball.layer, hit.ball.collides_with = POTTED, SHAPES
 
     def to_impact(self, most: int = 12_000) -> int:
         """How many steps were made: up to the next impact, or to rest."""
@@ -230,27 +297,49 @@ class Pool:
         return met and ball.name in self.potted
 
     def _rest(self) -> None:
-        """Judge the shot, now that both balls lie still."""
+        """Judge the shot, now that all balls lie still."""
         self.moving = False
-        if self.phase is Phase.ROLL:
+        if self.phase is not Phase.ROLL:
+            return
+        if self.limit is None:
             self.phase = Phase.WON if self.eight.name in self.potted else Phase.AIM
+            return
+        foul = self.cue.name in self.potted
+        self.fouls += foul
+        if not self.targets:
+            self.phase = Phase.WON if self.used <= self.limit else Phase.LOST
+        else:
+            self.phase = Phase.AIM if self.used < self.limit else Phase.LOST
+        if foul and self.phase is Phase.AIM:
+            self._return_cue()
+
+    def _return_cue(self) -> None:
+        """Put the cue ball back onto the base line, near its middle, from where the player may move it."""
+        del self.potted[self.cue.name or ""]
+        (x, low), (_, high) = self._line()
+        heights = np.linspace(low, high, 41)
+        middle = 0.5 * (low + high)
+        free = [float(height) for height in heights if self._is_free((x, float(height)))]
+        self.cue.velocity, self.cue.position = (0.0, 0.0), (x, min(free, key=lambda height: abs(height - middle)))
+        self.cue.layer, self.cue.collides_with = CUE, self._all
+        self.in_hand = True
 
     def path(self, name: str) -> list[Vector]:
         """The corners of a ball's way since the shot: where it lay, where it was at each impact, and where it is."""
-        ball, start = (self.cue, self.shot_from[0]) if name == self.cue.name else (self.eight, self.shot_from[1])
+        number = [ball.name for ball in self.balls].index(name)
         corners = [place for mark in self.marks for who, place in mark.balls if who == name]
-        end = [] if self._fell(ball) else [ball.position]
-        return [start, *corners, *end]
+        end = [] if self._fell(self.balls[number]) else [self.balls[number].position]
+        return [self.shot_from[number], *corners, *end]
 
     def digest(self) -> str:
         """A hash of the world and of the game's standing: equal where all went the same way, to the bit."""
-        return f"{self.world.digest()}-{self.phase}-{self.shots}-{len(self.marks)}"
+        return f"{self.world.digest()}-{self.phase}-{self.used}-{len(self.marks)}"
 
     @contextmanager
     def trial(self) -> Iterator[None]:
         """Nothing to use; whatever is shot inside the `with` has not happened after it."""
         kept = self.world.snapshot()
-        names = ("phase", "shots", "moving", "shot_from", "_shot_at")
+        names = ("phase", "shots", "fouls", "moving", "in_hand", "shot_from", "gone", "setup", "_shot_at")
         values = {name: getattr(self, name) for name in names}
         marks, noises, potted = list(self.marks), list(self.noises), dict(self.potted)
         try:
@@ -260,6 +349,11 @@ class Pool:
             for name, value in values.items():
                 setattr(self, name, value)
             self.marks, self.noises, self.potted = marks, noises, potted
+
+
+def shots_for(balls: int) -> int:
+    """Within how many shots some balls are to be potted: three in 5, five in 8, eight in 13."""
+    return balls + balls // 2 + 1
 
 
 def speed_of(power: float) -> float:

@@ -32,23 +32,26 @@ WOOD: Colour = (104, 56, 33)
 
 
 class Layout:
-    """The way between the table's centimetres, y up, and the window's pixels, y down.
+    """The way between the table's centimetres, y up, and the picture's pixels, y down.
 
-    `width` and `height` are those of the cloth between the noses of the cushions, whose lower left corner is (0, 0).
+    `width` and `height` are those of the cloth between the noses of the cushions, whose lower left corner is (0, 0);
+    the picture is `times` as large as `SIZE`, and has `scale` pixels in a centimetre.
     """
 
-    def __init__(self, width: float, height: float) -> None:
+    def __init__(self, width: float, height: float, times: int = 1) -> None:
         self.width, self.height = width, height
-        self.left = MARGIN_LEFT + RAIL * SCALE
-        self.top = MARGIN_TOP + RAIL * SCALE
+        self.times, self.scale = times, SCALE * times
+        self.size = SIZE[0] * times, SIZE[1] * times
+        self.left = MARGIN_LEFT * times + RAIL * self.scale
+        self.top = MARGIN_TOP * times + RAIL * self.scale
 
     def pixel(self, place: Vector) -> Vector:
-        """Where a place of the table is in the window."""
-        return self.left + place[0] * SCALE, self.top + (self.height - place[1]) * SCALE
+        """Where a place of the table is in the picture."""
+        return self.left + place[0] * self.scale, self.top + (self.height - place[1]) * self.scale
 
     def place(self, pixel: Vector) -> Vector:
         """The place of the table at a pixel: the inverse of `pixel`."""
-        return (pixel[0] - self.left) / SCALE, self.height - (pixel[1] - self.top) / SCALE
+        return (pixel[0] - self.left) / self.scale, self.height - (pixel[1] - self.top) / self.scale
 
     def distance_to_edge(self, place: Vector, direction: Vector) -> float:
         """How far it is from a place to the edge of the cloth along a unit vector, in cm; 0 from beyond it."""
@@ -61,5 +64,5 @@ class Layout:
 
     @property
     def center(self) -> Vector:
-        """The middle of the table in the window."""
+        """The middle of the table in the picture."""
         return self.pixel((self.width / 2.0, self.height / 2.0))

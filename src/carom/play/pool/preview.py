@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from math import hypot
 from typing import TYPE_CHECKING
 
-from carom.play.pool.game import EIGHT, SHAPES, Pool, Vector, speed_of
+from carom.play.pool.game import SHAPES, Pool, Vector, speed_of
 
 if TYPE_CHECKING:
-    from carom import Aim
+    from carom import Aim, Ball
 
 #: cm: farther than any two places of the table.
 FAR = 400.0
@@ -17,11 +17,12 @@ FAR = 400.0
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """A ball's straight way to its next impact; `pocket` is the pocket that it falls into, if it does."""
+    """A ball's straight way to its next impact, and the pocket that it falls into or the ball that it meets."""
 
     start: Vector
     end: Vector
     pocket: str | None
+    ball: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +33,13 @@ class Preview:
         aim: The cue ball's line up to its first impact.
         pocket: The pocket that the cue ball falls into before that, if it does.
         cue: Its way on from there, or None where it stands still or is potted.
-        eight: The eight's way, or None where the cue ball does not meet it.
+        struck: The way of the ball that the cue ball meets first, or None where it meets none.
     """
 
     aim: Aim
     pocket: str | None
     cue: Leg | None
-    eight: Leg | None
+    struck: Leg | None
 
 
 def preview(pool: Pool, direction: Vector) -> Preview | None:
@@ -48,13 +49,20 @@ def preview(pool: Pool, direction: Vector) -> Preview | None:
     aim = pool.world.aim(pool.cue, direction)
     if aim is None:
         return None
-    pocket = leg(pool, aim.start, direction, 0).pocket if aim.shape is not pool.eight else None
-    cue = eight = None
+    met = next((ball for ball in pool.targets if aim.shape is ball), None)
+    pocket = leg(pool, aim.start, direction, 0).pocket if met is None else None
+    cue = struck = None
+    others = layers_of(pool, met)
     if aim.direction is not None and pocket is None:
-        cue = leg(pool, aim.ghost, aim.direction, 0 if aim.shape is pool.eight else EIGHT)
-    if aim.other_direction is not None:
-        eight = leg(pool, pool.eight.position, aim.other_direction, 0)
-    return Preview(aim, pocket, cue, eight)
+        cue = leg(pool, aim.ghost, aim.direction, others)
+    if met is not None and aim.other_direction is not None:
+        struck = leg(pool, met.position, aim.other_direction, others)
+    return Preview(aim, pocket, cue, struck)
+
+
+def layers_of(pool: Pool, without: Ball | None) -> int:
+    """The layers of the balls that are still to be potted, without one of them."""
+    return sum(ball.layer for ball in pool.targets if ball is not without)
 
 
 def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
@@ -66,6 +74,8 @@ def leg(pool: Pool, start: Vector, direction: Vector, balls: int) -> Leg:
         return Leg(start, target, None)
     way = FAR * hit.fraction
     end = (start[0] + way * direction[0], start[1] + way * direction[1])
+    if any(hit.shape is ball for ball in pool.targets):
+        return Leg(start, end, None, hit.shape.name)
     return Leg(start, end, pocket_at(pool, end) if hit.shape.sensor or hit.shape.name == "pocket" else None)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from math import atan2, cos, hypot, pi, radians, sin
+from functools import partial
+from math import atan2, cos, dist, hypot, pi, radians, sin
 from typing import TYPE_CHECKING
 
 from carom.play.pool import setups
 from carom.play.pool.actions import Action
-from carom.play.pool.game import STEP, Phase, Pool, Setup, Vector
+from carom.play.pool.game import STEP, Phase, Pool, Vector
 from carom.play.pool.preview import Preview, preview
 
 if TYPE_CHECKING:
@@ -36,6 +37,9 @@ FRAME_STEPS, HURRY = 2, 3
 #: Where the power stands at first.
 FIRST_POWER = 0.5
 
+#: How many balls are to be potted in the games that follow each other at the press of a key.
+GAMES = (1, 3, 5, 8)
+
 
 class Mode(StrEnum):
     """What can be switched on and off."""
@@ -59,9 +63,14 @@ SWITCHES = {
 
 
 class Session:
-    """One sitting. `seed` says which positions come after the first; time goes on by `tick`, `STEP` seconds each."""
+    """One sitting; time goes on by `tick`, `STEP` seconds each.
 
-    def __init__(self, seed: int = 0) -> None:
+    Args:
+        seed: Which positions come after the first.
+        balls: How many are to be potted, from 1, the eight, to 8.
+    """
+
+    def __init__(self, seed: int = 0, balls: int = 1) -> None:
         self.pool = Pool()
         self.seed = seed
         self.number = 0
@@ -74,8 +83,10 @@ class Session:
         self.dragging = False
         self.since_shot = self.since_end = 10.0
         self._pointer: Vector | None = None
-        self._seen: tuple[tuple[float, Phase, int, Setup], Preview | None] | None = None
-        self._aim_at_eight()
+        self._seen: tuple[tuple[float, Phase, int, Vector], Preview | None] | None = None
+        self._aim_at_ball()
+        if balls > 1:
+            self.change_game(balls)
 
     # -- the aim -----------------------------------------------------------------------------------------------------
 
@@ -101,18 +112,18 @@ class Session:
         return self.dragging
 
     def let_go(self) -> None:
-        """Leave the cue ball where it was put, and aim at the eight from there."""
+        """Leave the cue ball where it was put, and aim at a ball from there."""
         self.dragging = False
-        self._aim_at_eight()
+        self._aim_at_ball()
 
     def _place(self, change: float) -> None:
-        """Put the cue ball so much farther up its line, and go on aiming where the mouse is, or at the eight."""
+        """Put the cue ball so much farther up its line, and go on aiming where the mouse is, or at a ball."""
         if self.pool.base_line is not None and Mode.PAUSE not in self.modes:
             self.pool.put_cue(self.pool.cue.position[1] + change)
             if self._pointer is not None:
                 self._aim(self._pointer)
             else:
-                self._aim_at_eight()
+                self._aim_at_ball()
 
     def _aim(self, place: Vector) -> None:
         """Aim at a place that is not within the cue ball's middle."""
@@ -120,10 +131,10 @@ class Session:
         if x * x + y * y > 1e-6:
             self.angle = atan2(y, x)
 
-    def _aim_at_eight(self) -> None:
-        """Aim full at the eight."""
+    def _aim_at_ball(self) -> None:
+        """Aim full at the nearest ball that is to be potted."""
         self.angle = 0.0
-        self._aim(self.pool.eight.position)
+        self._aim(min((ball.position for ball in self.pool.targets), key=partial(dist, self.pool.cue.position)))
 
     def _turn(self, angle: float) -> None:
         """Turn the aim; the mouse no longer says where it goes."""
@@ -139,7 +150,7 @@ class Session:
         """What the shot would do, while the player aims."""
         if self.pool.phase is not Phase.AIM:
             return None
-        key = (self.angle, self.pool.phase, self.pool.shots, self.pool.setup)
+        key = (self.angle, self.pool.phase, self.pool.shots, self.pool.cue.position)
         if self._seen is None or self._seen[0] != key:
             self._seen = key, preview(self.pool, self.direction)
         return self._seen[1]
@@ -176,6 +187,7 @@ class Session:
             Action.TO_IMPACT: lambda _: self._to_impact(),
             Action.AGAIN: lambda _: self.again(),
             Action.SAME: lambda _: self._begin_game(self.number),
+            Action.MORE: lambda _: self.change_game(self._next_game()),
             Action.FINE: lambda _: None,
             Action.QUIT: lambda _: self._quit(),
         }
@@ -217,6 +229,18 @@ class Session:
         """Begin a game from the next position."""
         self._begin_game(self.number + 1)
 
+    def _next_game(self) -> int:
+        """How many balls there are in the game after this one."""
+        balls = len(self.pool.balls) - 1
+        return next((more for more in GAMES if more > balls), GAMES[0])
+
+    def change_game(self, balls: int) -> None:
+        """Begin the game with so many balls, from its first position."""
+        self.pool = Pool.of(balls)
+        self.won = self.lost = self.number = 0
+        setups.setup(self.pool, 0, self.seed)
+        self._begin()
+
     def _begin_game(self, number: int) -> None:
         """Begin a game from a position by its number."""
         if number == self.number:
@@ -224,10 +248,14 @@ class Session:
         else:
             self.number = number
             setups.setup(self.pool, number, self.seed)
+        self._begin()
+
+    def _begin(self) -> None:
+        """Take the cue in hand for a game whose balls have been placed."""
         self.draw = None
         self.dragging = False
         self.since_shot = 10.0
-        self._aim_at_eight()
+        self._aim_at_ball()
 
     def _quit(self) -> None:
         """Close the help, or end the sitting."""
@@ -288,4 +316,4 @@ class Session:
         elif self.pool.phase is Phase.AIM and self._pointer is not None:
             self._aim(self._pointer)
         elif self.pool.phase is Phase.AIM:
-            self._aim_at_eight()
+            self._aim_at_ball()

@@ -76,9 +76,10 @@ def put(surface: pygame.Surface, picture: pygame.Surface, place: Vector) -> None
 
 
 class Cue:
-    """The cue, and its shadow; a cue of the same direction as last time is not turned again."""
+    """The cue, `times` as large, and its shadow; a cue of the same direction as last time is not turned again."""
 
-    def __init__(self) -> None:
+    def __init__(self, times: int = 1) -> None:
+        self._times = times
         stick, shade = _cue_pictures()
         self._pictures = (shade, stick)
         self._turned: tuple[float, tuple[pygame.Surface, ...]] = (400.0, ())
@@ -87,13 +88,16 @@ class Cue:
         """Draw it with its tip at a pixel, pointing `towards`, y down; faint where `bright` is below 1."""
         angle = round(degrees(atan2(towards[1], -towards[0])), 2)
         if angle != self._turned[0]:
-            self._turned = angle, tuple(pygame.transform.rotozoom(each, angle, 0.5) for each in self._pictures)
+            self._turned = (
+                angle,
+                tuple(pygame.transform.rotozoom(each, angle, 0.5 * self._times) for each in self._pictures),
+            )
         length = hypot(*towards)
-        half = 0.25 * CUE_LENGTH
+        half = 0.25 * CUE_LENGTH * self._times
         x, y = tip[0] - half * towards[0] / length, tip[1] - half * towards[1] / length
         for picture, (dx, dy) in zip(self._turned[1], ((6.0, 11.0), (0.0, 0.0)), strict=True):
             picture.set_alpha(round(255.0 * bright))
-            put(surface, picture, (x + dx, y + dy))
+            put(surface, picture, (x + dx * self._times, y + dy * self._times))
 
 
 def _cue_pictures() -> tuple[pygame.Surface, pygame.Surface]:

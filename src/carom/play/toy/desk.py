@@ -162,7 +162,7 @@ class Desk:
             path = Path(folder) / "table.toml"
             carom.Scene.from_world(self.tables[0].world).save(path)
             content = path.read_bytes()
-        folders = files.existing(platformdirs.user_documents_path())
+        folders = files.places(platformdirs.user_documents_path())
         self.told = "table " + files.keep(folders, "carom-table-{}.toml", content)
 
     def _single(self) -> None:
