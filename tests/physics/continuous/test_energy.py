@@ -1,8 +1,9 @@
 """Energy, and in a round room angular momentum, hold over a million impacts at elasticity 1."""
 
-from math import cos, sin, sqrt
+from math import cos, pi, sin, sqrt
 from random import Random
 
+import numpy as np
 import pytest
 
 import carom
@@ -64,6 +65,28 @@ def test_energy_and_angular_momentum_in_a_round_room(pieces: int, angle: float) 
     run_impacts(world, IMPACTS, 10_000.0)
     assert speed(world) ** 2 == pytest.approx(1.0, rel=DRIFT)
     assert abs(angular_momentum(world, center) - before) < DRIFT * radius
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.parametrize("gravity", [0.0, -1.0])
+def test_what_is_kept_drifts_to_no_side(gravity: float) -> None:
+    # An impact rounds; of twenty starts no more rise than fall, but for chance.
+    random, drifts = Random(5), []
+    for _ in range(20):
+        world = exact_world(carom.Circle((0, 0), 1), gravity=(0, gravity))
+        away, place, angle = random.uniform(0.1, 0.6), random.uniform(0, 2 * pi), random.uniform(0, 2 * pi)
+        velocity = 5 * cos(angle), 5 * sin(angle)
+        world.add(carom.Ball((away * cos(place), away * sin(place)), 0.05, velocity=velocity))
+        before = speed(world) ** 2 / 2 - gravity * world.balls[0].position[1], angular_momentum(world, (0, 0))
+        hits = len(world.run(4000.0, 10.0))
+        after = speed(world) ** 2 / 2 - gravity * world.balls[0].position[1], angular_momentum(world, (0, 0))
+        # Gravity turns a ball about the middle; without it both are kept.
+        kept = 1 if gravity else 2
+        drifts.append([(new - old) / 12.5 / hits for new, old in zip(after[:kept], before, strict=False)])
+    drift = np.array(drifts)
+    assert np.abs(drift).max() <= 1e-17
+    assert (np.abs(drift.mean(axis=0)) <= 4 * drift.std(axis=0, ddof=1) / sqrt(len(drift))).all()
 
 
 def angular_momentum(world: carom.World, center: tuple[float, float]) -> float:

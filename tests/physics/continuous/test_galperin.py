@@ -8,7 +8,7 @@ import pytest
 import carom
 from tests.physics.continuous.rooms import exact_world
 
-DIGITS = "31415"
+DIGITS = "3141592"
 
 
 def blocks(ratio: float) -> carom.World:
@@ -32,6 +32,17 @@ def test_impacts_of_blocks_are_the_digits_of_pi(digits: int, substeps: int) -> N
     light, heavy = world.balls
     assert 0.0 <= light.velocity[0] <= heavy.velocity[0]
     assert world.balls.position[:, 1] == pytest.approx([0.0, 0.0], abs=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.parametrize("digits", [6, 7])
+def test_impacts_of_blocks_are_more_digits_of_pi(digits: int) -> None:
+    world = carom.World(detection="continuous")
+    world.add(carom.Segment((0, -1), (0, 1)), carom.Ball((3, 0), 0.2))
+    world.add(carom.Ball((6, 0), 1.0, velocity=(-1, 0), mass=100.0 ** (digits - 1)))
+    assert len(world.step(16.0)) == int(DIGITS[:digits])
+    assert world.statistics.held == 0
 
 
 @pytest.mark.parametrize("moving", [1, 2, 3, 4])
