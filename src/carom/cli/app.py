@@ -321,11 +321,15 @@ def pinball(seconds: Seconds = None) -> None:
 def pool(
     balls: Annotated[
         str,
-        typer.Option(metavar="NUMBER", help="Balls to pot, 1 to 8; where there are several, in so many shots."),
+        typer.Option(
+            metavar="NUMBER",
+            show_default=False,
+            help="Balls to pot, 1 to 8; where there are several, in so many shots. By default 1.",
+        ),
     ] = "1",
     seconds: Seconds = None,
 ) -> None:
-    """Play the end of a game of pool, or pot all balls in so many shots.
+    """Play the end of a game of pool.
 
     The mouse aims, its button draws the cue back, F1 is help.
     """

@@ -51,13 +51,13 @@ class CourseRow(TypedDict):
     slow_for: f8  # seconds for which it had been slower than the sleep speed when it began
     met_time: f8  # the instant of its last impact
     met_low: f8
+    at_once: i8  # impacts since then, each at all but the instant of the one before
     # what was shown of it last; where the ball's row is otherwise, it was changed from outside
     shown_x: f8
     shown_y: f8
     shown_vx: f8
     shown_vy: f8
     short: i4  # impacts since then that came too soon after one another to be told apart
-    at_once: i4  # and those at the very instant of the one before
     quiet: i4  # ticks of its island, one after the other, in which it hardly moved
     kind: i4
 

@@ -1,9 +1,12 @@
 """Balls that slide along bent and turning shapes: their energy, their clock, and the same bits in any steps."""
 
 from copy import deepcopy
-from math import cos, hypot, pi, sin, sqrt
+from math import cos, hypot, inf, pi, sin, sqrt
+from random import Random
 from time import perf_counter
+from typing import Any
 
+import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Segment, World
@@ -100,3 +103,80 @@ def test_a_sliding_ball_is_the_same_in_any_steps(track: str, elasticity: float) 
                 world.step(step / 1024)
         seen.append((ball.position, ball.velocity))
     assert seen[0] == seen[1] == seen[2]
+
+
+def rubbed(
+    away: float, velocity: tuple[float, float], loss: float, gravity: float, speed: float
+) -> tuple[float, float, float]:
+    """Where about the middle of a ring, and how fast along it, a ball is after a second, by the method of Runge-Kutta.
+
+    The ring travels with a velocity; friction, which acts against the ball's own, and gravity are all that pulls.
+    """
+
+    def rate(state: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        angle, along = state
+        tangent = np.array([-sin(angle), cos(angle)])
+        moving = velocity + along * tangent
+        return np.array([along / away, tangent @ (-loss * moving / np.hypot(*moving)) + gravity * tangent[1]])
+
+    state, step = np.array([-pi / 2, speed]), 1.0 / 1000
+    for _ in range(1000):
+        one = rate(state)
+        two = rate(state + step / 2 * one)
+        three = rate(state + step / 2 * two)
+        state = state + step / 6 * (one + 2 * two + 2 * three + rate(state + step * three))
+    return away * cos(state[0]), away * sin(state[0]), float(state[1])
+
+
+@pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.5, 0.2)])
+@pytest.mark.parametrize("loss", [0.01, 0.3])
+@pytest.mark.parametrize("gravity", [0.0, -1.0])
+@pytest.mark.parametrize("room", [0.12, 0.2])
+def test_friction_takes_from_a_ball_in_a_ring_what_its_equations_say(
+    velocity: tuple[float, float], loss: float, gravity: float, room: float
+) -> None:
+    motion: dict[str, Any] = {"motion": "kinematic", "velocity": velocity} if any(velocity) else {}
+    world = continuous_world(Circle((0, 0), 0.18 + room, **motion), gravity=(0, gravity), friction=loss)
+    ball = world.add(Ball((0, -room), 0.18, velocity=(velocity[0] + 1.5, velocity[1]), elasticity=0.5))
+    world.run(1.0, 1 / 50)
+    x, y, along = rubbed(room, velocity, loss, gravity, 1.5)
+    px, py = ball.position[0] - velocity[0], ball.position[1] - velocity[1]
+    vx, vy = ball.velocity[0] - velocity[0], ball.velocity[1] - velocity[1]
+    near = 1e-9 if not any(velocity) else 3e-4
+    assert (px, py) == pytest.approx((x, y), abs=near)
+    assert (px * vy - py * vx) / room == pytest.approx(along, abs=near)
+
+
+@pytest.mark.parametrize("radius", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("share", [0.1, 0.66, 0.95])
+@pytest.mark.parametrize("loss", [1e-3, 0.1, 3.0])
+def test_friction_stops_a_ball_in_a_round_room_when_and_where_it_has_used_up_its_speed(
+    radius: float, share: float, loss: float
+) -> None:
+    # The speed falls evenly, however often the ball goes round.
+    speed, room = radius, radius * (1.0 - share)
+    world = continuous_world(Circle((0, 0), radius, elasticity=0.5), friction=loss * radius)
+    ball = world.add(Ball((0, -room), share * radius, velocity=(speed, 0), elasticity=0.5))
+    seconds = min(1.0 / loss, 4.0)
+    world.run(seconds, seconds / 64)
+    left = speed - loss * radius * seconds
+    assert hypot(*ball.velocity) == pytest.approx(left, abs=1e-9 * speed)
+    angle = (speed * seconds - 0.5 * loss * radius * seconds * seconds) / room - pi / 2
+    assert ball.position == pytest.approx((room * cos(angle), room * sin(angle)), abs=1e-7 * radius)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_friction_lets_no_ball_win_energy_in_a_bowl(seed: int) -> None:
+    random = Random(seed)
+    loss, gravity = random.choice((0.02, 0.3, 2.0)), random.choice((-1.0, -10.0))
+    radius, angle = random.uniform(0.05, 0.6), random.uniform(-1.2, 1.2)
+    bowl = Circle((0, 0), 1.0, elasticity=0.4)
+    world = continuous_world(bowl, gravity=(0, gravity), friction=loss)
+    away = 1.0 - radius
+    ball = world.add(Ball((away * sin(angle), -away * cos(angle)), radius))
+    before = inf
+    for _ in range(60):
+        world.run(0.05, 0.05)
+        left = 0.5 * hypot(*ball.velocity) ** 2 - gravity * ball.position[1]
+        assert left <= before + 1e-9 * abs(gravity)
+        before = left

@@ -357,7 +357,7 @@ def show(
         ball, flight = balls[i], flights[i]
         age = age_now(state, flight)
         x, y, vx, vy = place_after(ball, flight, age)
-        held = slides_along(state, ball, flight, shapes, relations) if ball["relation"] != NO_RELATION else NO_RELATION
+        held = slides_along(ball, flight, shapes, relations) if ball["relation"] != NO_RELATION else NO_RELATION
         if held != NO_RELATION:
             x, y, vx, vy = slid_place(state, ball, flight, shapes[held], age)
         still = age - slow_since(state, ball, flight, age)

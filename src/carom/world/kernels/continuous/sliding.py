@@ -2,8 +2,8 @@
 
 In the frame in which the shape stands still a ball goes along a line or a circle, so its state is a way and a speed.
 Both follow from its flight's origin alone, by a rule of Hermite; then they are moved, by the rule's error, to where the
-ball has the energy that the work of gravity and the frame's turning leaves it. Between two such ticks it flies the
-parabola that osculates its path, by which others meet it.
+ball has the energy that the work of gravity, of friction and of the frame's turning leaves it. Between two such ticks
+it flies the parabola that osculates its path, by which others meet it.
 """
 
 from __future__ import annotations
@@ -41,19 +41,17 @@ def only_holder(ball: BallRow, relations: Table[RelationRow]) -> int:
     return held
 
 
-def slides(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow) -> bool:
-    """True if a ball that one shape holds slides along a bend or a turning line, where no friction takes its energy."""
-    if flight["kind"] != FLYING or friction_of(state, ball) > 0.0:
+def slides(flight: FlightRow, shape: ShapeRow) -> bool:
+    """True if a ball that one shape holds slides along a bend or a turning line."""
+    if flight["kind"] != FLYING:
         return False
     return bend_center(shape) is not None or (is_moving(shape) and shape["spin"] != 0.0)
 
 
-def slides_along(
-    state: StateRow, ball: BallRow, flight: FlightRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
-) -> int:
+def slides_along(ball: BallRow, flight: FlightRow, shapes: Table[ShapeRow], relations: Table[RelationRow]) -> int:
     """The row of the one bent or turning shape along which a ball slides, or NO_RELATION."""
     held = only_holder(ball, relations)
-    if held == NO_RELATION or not slides(state, ball, flight, shapes[held]):
+    if held == NO_RELATION or not slides(flight, shapes[held]):
         return NO_RELATION
     return held
 
@@ -127,6 +125,7 @@ def pull_along(
     track: tuple[float, float, float],
     arm: tuple[float, float],
     pull: tuple[float, float],
+    drag: float,
     spin: float,
     seconds: float,
     way: float,
@@ -134,27 +133,29 @@ def pull_along(
 ) -> tuple[float, float]:
     """The acceleration along a track of what has gone a way on it, and that acceleration's change in a second.
 
-    `arm` leads from the pivot of the frame to where it began, `pull` is gravity as seen then.
+    `arm` leads from the pivot of the frame to where it began, `pull` is gravity as seen then, and `drag` what friction
+    gives along the track.
     """
     tx, ty, bend = track
     dx, dy, ux, uy = along_track(tx, ty, bend, way)
     gx, gy = turned_back(pull[0], pull[1], spin * seconds)
     fx, fy = gx + spin * spin * (arm[0] + dx), gy + spin * spin * (arm[1] + dy)
     change = bend * speed * cross(ux, uy, fx, fy) + spin * cross(ux, uy, gx, gy) + spin * spin * speed
-    return dot(ux, uy, fx, fy), change
+    return dot(ux, uy, fx, fy) + drag, change
 
 
 def work_along(
     track: tuple[float, float, float],
     arm: tuple[float, float],
     pull: tuple[float, float],
+    drag: float,
     spin: float,
     seconds: float,
     way: float,
     speeds: tuple[float, float],
     accelerations: tuple[float, float],
 ) -> float:
-    """The work, per mass, of gravity and of the turning of the frame on what goes a way along a track.
+    """The work, per mass, of gravity, of friction and of the turning of the frame on what goes a way along a track.
 
     It is exact but for what gravity turns by meanwhile, as seen from the frame.
     """
@@ -162,7 +163,7 @@ def work_along(
     dx, dy, ux, uy = along_track(tx, ty, bend, way)
     mx, my = turned_back(pull[0], pull[1], 0.5 * spin * seconds)
     lever = dot(arm[0], arm[1], dx, dy) + 0.5 * dot(dx, dy, dx, dy)
-    work = dot(mx, my, dx, dy) + spin * spin * lever
+    work = dot(mx, my, dx, dy) + drag * way + spin * spin * lever
     if spin == 0.0 or seconds == 0.0:
         return work
     # By the rule of Hermite for the power of the rest of gravity.
@@ -178,26 +179,35 @@ def work_along(
     return work
 
 
+def drag_along(state: StateRow, ball: BallRow, track: tuple[float, float, float]) -> float:
+    """What friction, which acts against a ball's velocity, takes along a track."""
+    tx, ty, _bend = track
+    vx, vy, loss = float(ball["vx"]), float(ball["vy"]), friction_of(state, ball)
+    speed = length(vx, vy)
+    return -loss * dot(vx / speed, vy / speed, tx, ty) if loss > 0.0 and speed > 0.0 else 0.0
+
+
 def slid_along(
     track: tuple[float, float, float],
     arm: tuple[float, float],
     pull: tuple[float, float],
+    drag: float,
     spin: float,
     seconds: float,
     speed: float,
 ) -> tuple[float, float]:
     """The way along a track, and the speed, of what began with a speed so many seconds ago."""
-    a0, j0 = pull_along(track, arm, pull, spin, 0.0, 0.0, speed)
+    a0, j0 = pull_along(track, arm, pull, drag, spin, 0.0, 0.0, speed)
     way = seconds * (speed + seconds * (0.5 * a0 + seconds * j0 / 6.0))
     now = speed + seconds * (a0 + 0.5 * seconds * j0)
     a1 = a0
     for _ in range(SLIDE_ROUNDS):
-        a1, j1 = pull_along(track, arm, pull, spin, seconds, way, now)
+        a1, j1 = pull_along(track, arm, pull, drag, spin, seconds, way, now)
         now = speed + seconds * (0.5 * (a0 + a1) + seconds * (j0 - j1) / 12.0)
         way = seconds * (0.5 * (speed + now) + seconds * (a0 - a1) / 12.0)
     # Where the ball is fast its speed gives way, and where it turns back its place.
     for _ in range(2):
-        work = work_along(track, arm, pull, spin, seconds, way, (speed, now), (a0, a1))
+        work = work_along(track, arm, pull, drag, spin, seconds, way, (speed, now), (a0, a1))
         gained = seconds * a1
         size = now * now + gained * gained
         if size > LEAST_SQUARE:
@@ -224,7 +234,8 @@ def slid_place(
     arm = (x - px, y - py)
     speed = dot(tx, ty, vx - (ux - spin * arm[1]), vy - (uy + spin * arm[0]))
     pull = (float(state["gravity_x"]), float(state["gravity_y"]))
-    way, now = slid_along(track, arm, pull, spin, seconds, speed)
+    drag = drag_along(state, ball, track)
+    way, now = slid_along(track, arm, pull, drag, spin, seconds, speed)
     dx, dy, wx, wy = along_track(track[0], track[1], track[2], way)
     if spin == 0.0:
         return x + (ux * seconds + dx), y + (uy * seconds + dy), ux + now * wx, uy + now * wy
@@ -251,7 +262,7 @@ def slide_on(
 
     Its flight begins where its row says still.
     """
-    held = slides_along(state, ball, flight, shapes, relations)
+    held = slides_along(ball, flight, shapes, relations)
     if held == NO_RELATION:
         return False
     x, y, vx, vy = slid_place(state, ball, flight, shapes[held], seconds)
@@ -277,7 +288,7 @@ def turn_time(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow
     vx, vy = float(ball["vx"]) - ux, float(ball["vy"]) - uy
     speed = length(vx, vy)
     along = fabs(dot(tx, ty, vx + spin * arm[1], vy - spin * arm[0]))
-    gains = fabs(pull_along(track, arm, pull, spin, 0.0, 0.0, 0.0)[0])
+    gains = fabs(pull_along(track, arm, pull, drag_along(state, ball, track), spin, 0.0, 0.0, 0.0)[0])
     turns = fabs(spin) + bend * along
     if turns == 0.0 and gains * bend == 0.0:
         return inf
@@ -342,7 +353,7 @@ def is_held(
 ) -> bool:  # fmt: skip
     """True if a ball is beside a shape still after so many seconds, and pressed onto it if that holds it `alone`."""
     age, radius = age_of_motion(shape, flight) + seconds, float(ball["radius"])
-    if alone and slides(state, ball, flight, shape):
+    if alone and slides(flight, shape):
         x, y, vx, vy = slid_place(state, ball, flight, shape, seconds)
     else:
         x, y, vx, vy = place_after(ball, flight, seconds)

@@ -46,7 +46,7 @@ def test_a_bead_goes_as_its_equations_say(
     bend: float, arm_x: float, arm_y: float, pull_x: float, pull_y: float, spin: float, speed: float
 ) -> None:
     track, arm, pull, seconds = (1.0, 0.0, bend), (arm_x, arm_y), (pull_x, pull_y), 0.05
-    way, now = slid_along(track, arm, pull, spin, seconds, speed)
+    way, now = slid_along(track, arm, pull, 0.0, spin, seconds, speed)
     true_way, true_now = in_fine_steps(bend, arm, pull, spin, seconds, speed)
     assert way == pytest.approx(true_way, abs=1e-6)
     assert now == pytest.approx(true_now, abs=1e-5)
@@ -55,8 +55,8 @@ def test_a_bead_goes_as_its_equations_say(
 @given(numbers, numbers, numbers, numbers)
 def test_its_speed_is_that_which_the_work_leaves_it(bend: float, pull_x: float, pull_y: float, speed: float) -> None:
     track, pull = (1.0, 0.0, bend), (pull_x, pull_y)
-    way, now = slid_along(track, (0.3, -0.2), pull, 0.0, 0.1, speed)
-    work = work_along(track, (0.3, -0.2), pull, 0.0, 0.1, way, (speed, now), (0.0, 0.0))
+    way, now = slid_along(track, (0.3, -0.2), pull, 0.0, 0.0, 0.1, speed)
+    work = work_along(track, (0.3, -0.2), pull, 0.0, 0.0, 0.1, way, (speed, now), (0.0, 0.0))
     assert 0.5 * now * now - 0.5 * speed * speed == pytest.approx(work, abs=1e-9)
 
 
@@ -96,7 +96,7 @@ def test_a_small_swing_has_the_period_of_a_pendulum() -> None:
     for _ in range(64):
         # Hung at the origin, a bead of a bend 1 that is `way` from the lowest place of its circle.
         track = (cos(way), sin(way), 1.0)
-        more, speed = slid_along(track, (0.0, 0.0), (0.0, -10.0), 0.0, step, speed)
+        more, speed = slid_along(track, (0.0, 0.0), (0.0, -10.0), 0.0, 0.0, step, speed)
         way += more
         time += step
     assert time < inf
