@@ -147,6 +147,7 @@ def test_friction_takes_from_a_ball_in_a_ring_what_its_equations_say(
     assert (px * vy - py * vx) / room == pytest.approx(along, abs=near)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("radius", [1e-3, 1.0, 1e3])
 @pytest.mark.parametrize("share", [0.1, 0.66, 0.95])
 @pytest.mark.parametrize("loss", [1e-3, 0.1, 3.0])
@@ -165,6 +166,7 @@ def test_friction_stops_a_ball_in_a_round_room_when_and_where_it_has_used_up_its
     assert ball.position == pytest.approx((room * cos(angle), room * sin(angle)), abs=1e-7 * radius)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", range(10))
 def test_friction_lets_no_ball_win_energy_in_a_bowl(seed: int) -> None:
     random = Random(seed)
