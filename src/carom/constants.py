@@ -317,7 +317,8 @@ SHORT_ELASTIC_FLIGHT = 1e-12
 SHORT_FLIGHTS = 8
 SHORT_ELASTIC_FLIGHTS = 32
 
-#: A ball that has had so many impacts at one instant lacks the room to go on from it.
+#: A ball that has had so many impacts one after the other, between which it went no more than SHORT_ELASTIC_FLIGHT,
+#: lacks the room to go on.
 MOST_AT_ONCE = 1000
 
 #: Fraction of a ball's radius: what such a ball is nearer to, it touches.

@@ -51,7 +51,7 @@ class CourseRow(TypedDict):
     slow_for: f8  # seconds for which it had been slower than the sleep speed when it began
     met_time: f8  # the instant of its last impact
     met_low: f8
-    at_once: i8  # impacts since then, each at all but the instant of the one before
+    at_once: i8  # how many impacts, up to it, each came at all but the instant of the one before
     # what was shown of it last; where the ball's row is otherwise, it was changed from outside
     shown_x: f8
     shown_y: f8

@@ -117,7 +117,7 @@ def test_a_ball_that_is_put_where_it_has_no_place_holds_no_step_up(seed: int) ->
     random = Random(seed)
     kinds = random.choice((("segment",), ("arc",), ("circle",), ("point",), ("segment", "arc", "circle", "point")))
     motion = random.choice(({}, {"motion": "kinematic"}, {"motion": "kinematic", "velocity": (0.2, 0.1)}))
-    walls = cage(random, random.choice((0.98, 1.0)) * random.uniform(0.05, 1.02), kinds, **motion)
+    walls = cage(random, random.uniform(0.05, 1.02), kinds, **motion)
     world = continuous_world(*walls, gravity=(0, random.choice((0, -5))))
     velocity = random.choice(((0, 0), (random.uniform(-3, 3), random.uniform(-3, 3))))
     world.add(Ball((random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)), 1.0, velocity=velocity))

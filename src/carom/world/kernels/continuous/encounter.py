@@ -153,14 +153,17 @@ def bounce(
         ball["vy"] -= u * ny
         add_relation(state, relations, ball, i, LASTING, row)
         return
+    along = length(vx - ux, vy - uy)
+    # What travels with a surface parts from it by what the digits of its own speed can tell.
+    speed = larger(along, length(vx, vy))
     if s < 0.0:
         if elasticity == 0.0 and kick == 0.0:
-            part_least(ball, larger(length(vx - ux, vy - uy), length(vx, vy)), nx, ny)
+            part_least(ball, speed, nx, ny)
         end_thrown(state, ball, flight, shapes, relations, nx, ny)
-    elif u <= LEAST_PART * length(vx - ux, vy - uy):
+    elif u <= LEAST_PART * along:
         # It goes along the surface; rounding alone has found the impact, and would find it again.
         pull = length(float(flight["ax"]), float(flight["ay"]))
-        part_least(ball, larger(larger(length(vx - ux, vy - uy), length(vx, vy)), sqrt(pull * radius)), nx, ny)
+        part_least(ball, larger(speed, sqrt(pull * radius)), nx, ny)
 
 
 def rebound_off(

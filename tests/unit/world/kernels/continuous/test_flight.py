@@ -155,14 +155,18 @@ def test_impacts_too_close_to_be_told_apart_end_as_ones_without_elasticity(elast
         flight["time"] = 1.0 + 1e-14 * count
         count_impact(ball, flight, elasticity, 1.0)
         assert flight["impacts"] == count + 1
-        assert flight["short"] == count
+        assert (flight["short"], flight["at_once"]) == (count, count)
         assert is_tired(flight, elasticity, False) == (count > most)
         # What lies behind a ball of a heap throws it back at once; elastic ones hand on as long as they do elsewhere.
         assert is_tired(flight, elasticity, True) == (count > (0 if elasticity < 1 else most))
     # A flight that is long enough, at its speed, ends the count.
     flight["time"] = 1.1
     count_impact(ball, flight, elasticity, 1.0)
-    assert flight["short"] == 0
+    assert (flight["short"], flight["at_once"]) == (0, 0)
     flight["time"] = 1.2
     count_impact(ball, flight, elasticity, 1e-13)
-    assert flight["short"] == 1
+    assert (flight["short"], flight["at_once"]) == (1, 1)
+    # A ball that goes along what it meets gets on.
+    flight["time"], ball["vx"] = 1.3, 1.0
+    count_impact(ball, flight, elasticity, 1e-13)
+    assert (flight["short"], flight["at_once"]) == (2, 0)
