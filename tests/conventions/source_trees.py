@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src"
 PACKAGE = SOURCE / "carom"
-COMPILER_DOORS = [PACKAGE / "compiler" / name for name in ("building.py", "door.py", "entered.py")]
+COMPILER_DOORS = [PACKAGE / "compiler" / name for name in ("building.py", "door.py", "entered.py", "pipelines.py")]
 KERNEL_LIST = PACKAGE / "compiler" / "kernels.py"
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef

@@ -21,6 +21,7 @@ SOURCES_BESIDES = (
     "carom.compiler.cache",
     "carom.compiler.door",
     "carom.compiler.entered",
+    "carom.compiler.pipelines",
 )
 
 #: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.
@@ -54,7 +55,7 @@ def cached(numba: Any, function: Kernel) -> Any:
     numba.config.CACHE_DIR = str(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        kernel: Any = numba.njit(cache=True, **OPTIONS)(function)
+        kernel: Any = numba.njit(cache=True, pipeline_class=_pipeline(), **OPTIONS)(function)
     except (OSError, RuntimeError):
         return None
     finally:
@@ -65,7 +66,7 @@ def cached(numba: Any, function: Kernel) -> Any:
 
 def uncached(numba: Any, function: Kernel) -> Any:
     """The function, to be compiled when it is called and forgotten when the process ends."""
-    return numba.njit(**OPTIONS)(function)
+    return numba.njit(pipeline_class=_pipeline(), **OPTIONS)(function)
 
 
 def forget(kernel: Any, function: Kernel) -> None:
@@ -75,3 +76,10 @@ def forget(kernel: Any, function: Kernel) -> None:
             file.unlink(missing_ok=True)
         except OSError:
             return
+
+
+def _pipeline() -> Any:
+    """How Numba compiles a kernel; Numba is imported here."""
+    from carom.compiler.pipelines import KernelPipeline
+
+    return KernelPipeline

@@ -151,8 +151,15 @@ def register_once(numba: Any) -> None:
     """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
     if not _registered:
         _registered.extend(kernel_functions())
+        from carom.compiler.pipelines import CalleePipeline
+
         # No Python code calls the compiled callees, so there is no need of wrappers, which take long to compile.
-        options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+        options = {
+            "error_model": "numpy",
+            "no_cpython_wrapper": True,
+            "no_cfunc_wrapper": True,
+            "pipeline_class": CalleePipeline,
+        }
         for function in _registered:
             if function.__name__ == CALL_AT:
                 from carom.compiler.entered import called
