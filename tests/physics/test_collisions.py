@@ -49,6 +49,7 @@ def test_the_common_centre_of_mass_does_not_move(m1: float, m2: float, n: Vector
     assert hypot(*apart) == pytest.approx(2, rel=1e-14)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_crowd_keeps_its_momentum_and_energy(phase: str) -> None:
     rng = np.random.default_rng(11)

@@ -90,6 +90,7 @@ def first_rebound(floor: Shape | Compound, e: float, dt: float, substeps: int, *
     return (apex(world, ball) - RADIUS) / before
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("e", [0.3, 0.5, 0.8, 0.95, 1.0, 1.2])
 @pytest.mark.parametrize(("substeps", "dt"), [(1, 1 / 60), (4, 1 / 60), (3, 0.011)])
 @pytest.mark.parametrize("restitution", ["normal", "total"])
@@ -109,6 +110,7 @@ def test_an_elasticity_of_the_floor_counts_as_well(e: float) -> None:
     assert share == pytest.approx(0.25 * e * e, rel=1e-9)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("e", [0.5, 0.8, 0.95])
 def test_every_later_bounce_takes_the_same_share(e: float) -> None:
     world = World(gravity=(0, -9.81), rest_speed=0)

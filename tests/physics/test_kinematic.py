@@ -40,6 +40,7 @@ def run(build: Callable[[World], object], **settings: object) -> tuple[bytes, by
     return world.balls.position.tobytes(), world.balls.velocity.tobytes(), said.tobytes()
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(("phase", "restitution"), [("brute", "normal"), ("grid", "total"), ("quadtree", "normal")])
 @pytest.mark.parametrize(
     "options",
@@ -61,6 +62,7 @@ def test_a_kinematic_shape_at_rest_is_a_static_one_to_the_last_bit(
     assert run(lambda world: build(world, options), broad_phase=phase, restitution=restitution) == static
 
 
+@pytest.mark.compiled
 def test_a_compound_at_rest_is_a_static_shape_to_the_last_bit() -> None:
     static = run(lambda world: [world.add(shape) for shape in walls({})])
     assert run(lambda world: world.add(Compound(walls({}), pivot=(0.3, 9.1)))) == static

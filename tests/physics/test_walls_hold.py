@@ -116,6 +116,7 @@ def test_no_mover_pushes_a_ball_through_what_stands_still(seed: int) -> None:
         assert [side(*ball.position) for ball in world.balls] == here
 
 
+@pytest.mark.compiled
 def test_a_press_goes_over_a_ball_that_a_wall_holds() -> None:
     world = World(substeps=256)
     world.add(Segment((5, -9), (5, 9), elasticity=0.5))

@@ -82,6 +82,7 @@ def made_anew(arrays: Arrays) -> tuple[Any, list[list[int]]]:
     return cells_of(twin)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])
 @settings(max_examples=12, deadline=None)
 @given(st.data())

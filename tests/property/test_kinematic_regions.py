@@ -125,6 +125,7 @@ def test_what_is_found_by_regions_is_what_asking_all_finds_for_long(seed: int) -
     assert film(seed, "grid", 24) == film(seed, "brute", 24)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("options", [{}, {"angular_velocity": 2.0}, {"velocity": (0.02, 0.01)}])
 def test_a_step_costs_no_more_for_shapes_that_are_far_away(options: dict[str, Any]) -> None:
     costs = []

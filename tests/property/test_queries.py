@@ -225,6 +225,7 @@ def large_world(rng: np.random.Generator, count: int) -> World:
     return world
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", range(4))
 def test_grids_find_what_lists_find(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     world = large_world(np.random.default_rng(seed), 40)

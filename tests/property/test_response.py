@@ -164,6 +164,7 @@ def test_a_rebound_is_a_reflection_by_the_unit_normal(
     assert found == pytest.approx(expected, rel=0.0, abs=1e-14 * (hypot(*v) + hypot(*surface) + abs(kick)))
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("r", [1.0, 0.7])
 def test_neither_speed_nor_angular_momentum_drifts_in_a_round_room(r: float) -> None:
     # Where r² is a power of two, a unit normal's rounding and centres that are always moved drift by 5e-17 an impact.

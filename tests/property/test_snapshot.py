@@ -81,6 +81,7 @@ def world() -> carom.World:
 CHANCE = (cut, cut_from_the_middle, flipped, extended, overwritten, exchanged, spliced, foreign)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("damage", CHANCE, ids=lambda damage: damage.__name__)
 def test_damages_by_chance_are_refused(world: carom.World, damage: Callable[[bytearray, Random], bytes]) -> None:
     random = Random(damage.__name__)

@@ -120,6 +120,7 @@ def test_sizes_far_from_one_are_as_good(data: st.DataObject, scale: float) -> No
     assert_sound(world, world.run(0.1, dt=0.02))
 
 
+@pytest.mark.compiled
 @given(st.lists(places, min_size=2, max_size=12), sizes, st.sampled_from(("brute", "grid", "quadtree")))
 def test_balls_at_few_places_part_in_the_end(where: list[tuple[float, float]], radius: float, phase: str) -> None:
     world = World(broad_phase=phase, iterations=50)

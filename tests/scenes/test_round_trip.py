@@ -30,6 +30,7 @@ def test_through_a_world(name: str) -> None:
     assert twin.digest() == world.digest()
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("name", scenes.names())
 def test_through_a_world_that_has_run(tmp_path: Path, name: str) -> None:
     world = small_scene(name).build()

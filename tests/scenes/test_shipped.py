@@ -92,6 +92,7 @@ def test_ten_seconds_in_continuous_mode(name: str) -> None:
         assert energy(world) == pytest.approx(before, rel=1e-9)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("name", scenes.names())
 def test_one_second_with_few_balls(name: str) -> None:
     world = getattr(scenes, name)(**FEW.get(name, {})).build()
@@ -213,6 +214,7 @@ def test_every_part_of_the_pinball_table_is_reached() -> None:
     assert reached <= seen
 
 
+@pytest.mark.compiled
 def test_the_first_ball_goes_up_the_lane_and_round_the_dome() -> None:
     world = scenes.pinball().build()
     order = [hit.shape.name for hit in world.run(2.0, DT) if hit.ball.name == "first ball"]

@@ -211,7 +211,7 @@ def differences(one: list[Shown], other: list[Shown]) -> list[str]:
     "count",
     [
         1,
-        3,
+        pytest.param(3, marks=pytest.mark.compiled),
         pytest.param(12, marks=pytest.mark.compiled),
         pytest.param(40, marks=[pytest.mark.compiled, pytest.mark.slow]),
     ],

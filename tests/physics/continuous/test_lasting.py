@@ -35,6 +35,7 @@ PLACES: dict[str, tuple[list[Shape], tuple[float, float], list[tuple[float, floa
 }
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("elasticity", [0.0, 0.3, 0.6])
 def test_a_dropped_ball_comes_to_rest_where_it_is_held(place: str, elasticity: float) -> None:

@@ -128,6 +128,7 @@ def rubbed(
     return away * cos(state[0]), away * sin(state[0]), float(state[1])
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.5, 0.2)])
 @pytest.mark.parametrize("loss", [0.01, 0.3])
 @pytest.mark.parametrize("gravity", [0.0, -1.0])

@@ -46,6 +46,7 @@ NEEDED = {
 }
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("ending", files.OF_RUN)
 @pytest.mark.parametrize("there", [True, False])
 def test_whatever_is_being_written_what_is_left_is_told_and_no_half_file_stays(

@@ -18,6 +18,7 @@ def toy_run(steps: int, *, keep_hits: bool = False, follow: bool = False) -> tup
     return world, outcome, slices
 
 
+@pytest.mark.compiled
 def test_slices_bring_what_one_run_brings() -> None:
     world, outcome, slices = toy_run(300, keep_hits=True)
     whole = carom.scenes.toy().build()

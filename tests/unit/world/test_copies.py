@@ -11,6 +11,7 @@ import carom
 from tests.worlds import bits, busy, named
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(
     "copied",
     [copy.copy, copy.deepcopy, *[lambda world, n=n: pickle.loads(pickle.dumps(world, n)) for n in range(6)]],

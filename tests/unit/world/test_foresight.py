@@ -66,6 +66,7 @@ def test_aim_tells_what_the_first_hit_of_the_ball_will_say(seed: int, aged: floa
         assert line.normal == (sign * hit.normal[0], sign * hit.normal[1])
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", range(12))
 def test_ghost_and_directions_are_where_a_step_up_to_the_impact_leaves_both(seed: int) -> None:
     world = room(seed)

@@ -69,6 +69,7 @@ def test_each_ball_of_many_comes_to_rest_where_it_should(
         assert exact - 1e-12 <= ball.position[0] <= exact + speed * substep + 1e-12
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("detection", MODES)
 def test_the_way_to_a_stop_is_that_of_the_formula(detection: str) -> None:
     for friction in (0.25, 1.0, 3.0):

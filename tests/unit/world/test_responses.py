@@ -241,6 +241,7 @@ def test_a_ball_over_an_arc_s_centre_is_pushed_from_its_middle() -> None:
     assert hypot(*ball.position) == pytest.approx(0.5)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("turn", [0.1, 0.7, 1.9, 2.8])
 def test_balls_that_stick_hit_once_however_long_they_travel_together(turn: float) -> None:
     world = World()

@@ -57,6 +57,7 @@ def joined(hits: list[Any]) -> bytes:
     return b"".join(map(bits, hits))
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("settings", [{}, {"bounds": (1, 1, 11, 11), "remove_strays": True}], ids=["stay", "stray"])
 @pytest.mark.parametrize("broad_phase", ["grid", "quadtree", "brute"])
 def test_a_run_is_so_many_steps(broad_phase: str, settings: dict[str, Any]) -> None:
@@ -104,6 +105,7 @@ def test_what_progress_changes_acts_at_once() -> None:
     assert ball.position[0] > 0.0
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("call", [1, 3])
 def test_an_exception_in_progress_leaves_whole_steps_and_loses_no_hit(call: int) -> None:
     world = crowded()

@@ -134,6 +134,7 @@ def test_insides_are_state() -> None:
     assert kinds(twin, 0.5) == [EXIT]
 
 
+@pytest.mark.compiled
 def test_many_sensors_at_once_lose_no_hit() -> None:
     world = World(substeps=1)
     for k in range(70):

@@ -29,6 +29,7 @@ def state_of(world: carom.World) -> Any:
 # -- the same bits ---------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("steps", [0, 1, 7, 60])
 def test_a_restored_world_goes_on_to_the_same_bits(steps: int) -> None:
     world = crowded()
@@ -79,6 +80,7 @@ def test_a_digest_is_that_of_the_state_alone() -> None:
     assert world.digest() == before
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(
     "change",
     [
@@ -315,6 +317,7 @@ def test_views_are_of_the_restored_rows() -> None:
 # -- what is refused ---------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("given", [None, 5, "text", [1, 2], b"", b"carom snapshot 1\n", b"carom snapshot 2\n" * 9])
 def test_what_is_no_snapshot_is_refused(given: Any) -> None:
     world = busy()

@@ -29,6 +29,7 @@ def test_other_sizes_are_refused(size: Any) -> None:
         draw.picture_of(carom.World(), "name", size=size)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("layer", Layer)
 def test_only_what_is_asked_for_is_drawn(layer: Layer) -> None:
     world = crowded()
