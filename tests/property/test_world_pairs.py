@@ -89,7 +89,9 @@ def test_the_grid_finds_all_pairs_of_balls_of_one_size(seed: int, width: float, 
 
 
 def test_the_grid_finds_the_only_pair_behind_two_others_in_the_next_cell() -> None:
-    rows = ball_rows([(0.0, 0.0, 1.0), (1.9, 0.1, 1.0), (3.95, 0.1, 1.0), (3.95, 0.5, 1.0), (2.1, 0.9, 1.0)])
+    near = [(0.0, 0.0, 1.0), (1.9, 0.1, 1.0), (3.95, 0.1, 1.0), (3.95, 0.5, 1.0), (2.1, 0.9, 1.0)]
+    # What stands behind them among the sorted balls is far off.
+    rows = ball_rows([*near, *((x, 3.0, 1.0) for x in (20.0, 24.0, 28.0))])
     assert (1, 4) in found_pairs(rows, "brute")
     assert sorted(found_pairs(rows, "grid")) == found_pairs(rows, "brute")
 
