@@ -56,7 +56,7 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> li
         count = pairs_by_brute_force(state, rows, pairs)
     elif phase == "grid":
         starts = np.zeros(256 + 8 * len(rows), "i4")
-        count = pairs_by_grid(state, rows, (np.zeros(len(rows), SLOT), starts, pairs), 0.0)
+        count = pairs_by_grid(state, rows, (np.zeros(2 * len(rows) + 2, SLOT), starts, pairs), 0.0)
     else:
         cells, members = np.zeros(4096, CELL), np.zeros(65536, "i4")
         end = plant_ball_tree(state, rows, np.zeros(0, SHAPE), cells, members, 0, 0)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from carom.constants import CELL_SIDE
@@ -74,6 +74,26 @@ def test_they_agree_on_crowds_of_balls_of_one_size_and_of_a_few(
     rows = ball_rows([(x, y, radius) for (x, y), radius in zip(places, rng.choice(sizes, 30).tolist(), strict=True)])
     expected = found_pairs(rows, "brute")
     assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
+
+
+@settings(max_examples=25)
+@given(st.integers(0, 2**32), st.sampled_from((3.0, 9.0, 40.0, 1e4)), st.sampled_from((0.0, 1.5)))
+def test_the_grid_finds_all_pairs_of_balls_of_one_size(seed: int, width: float, spread: float) -> None:
+    """Dense cells and cells that share their numbers; balls alone, and as many in a cell as `spread` brings there."""
+    rng = np.random.default_rng(seed)
+    places = np.repeat(rng.uniform(-width, width, (10, 2)), 4, axis=0) + rng.uniform(-spread, spread, (40, 2))
+    if spread == 0.0:
+        places = rng.uniform(-width, width, (40, 2))
+    rows = ball_rows([(x, y, 1.0) for x, y in places.tolist()])
+    assert sorted(found_pairs(rows, "grid")) == found_pairs(rows, "brute")
+
+
+def test_the_grid_finds_the_only_pair_behind_two_others_in_the_next_cell() -> None:
+    near = [(0.0, 0.0, 1.0), (1.9, 0.1, 1.0), (3.95, 0.1, 1.0), (3.95, 0.5, 1.0), (2.1, 0.9, 1.0)]
+    # What stands behind them among the sorted balls is far off.
+    rows = ball_rows([*near, *((x, 3.0, 1.0) for x in (20.0, 24.0, 28.0))])
+    assert (1, 4) in found_pairs(rows, "brute")
+    assert sorted(found_pairs(rows, "grid")) == found_pairs(rows, "brute")
 
 
 @given(st.permutations(range(12)), st.sampled_from(("brute", "grid", "quadtree")))

@@ -175,7 +175,8 @@ class Arrays:
         self._list_movers()
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
-            self.slots = np.zeros(len(self.balls.rows), SLOT)
+            # Each ball as it is sorted and as it was before, and two more that may be looked at behind the sorted.
+            self.slots = np.zeros(2 * len(self.balls.rows) + 2, SLOT)
         if state["detection"] != DISCRETE and len(self.flights) < 2 * self.balls.count:
             # The upper half is for the copies that a step which fails goes back to.
             count = len(self.flights) // 2

@@ -104,12 +104,13 @@ def pairs_of_cells(state: StateRow, pair_tables: PairTables, size: int, stride: 
     for k in range(state["balls"]):
         slot = slots[k]
         ball = slot["ball"]
-        x = slot["x"]
-        y = slot["y"]
-        radius = slot["radius"]
+        x = float(slot["x"])
+        y = float(slot["y"])
+        radius = float(slot["radius"])
         cell = int(slot["cell"])
-        # Near the end of the numbers the next line may wrap around; the slow way deals with that.
-        if cell + stride + 2 > size:
+        first = (cell + stride - 1) & mask
+        # Few cells have neighbours of which some are at the end of the numbers and some at the beginning.
+        if cell + 2 > size or first + 3 > size:
             count = scan_around(state, pair_tables, count, k, 0.0, 0, stride, mask)
             if count < 0:
                 return -1
@@ -117,21 +118,34 @@ def pairs_of_cells(state: StateRow, pair_tables: PairTables, size: int, stride: 
         # Slots of a cell and of the one to its right lie side by side, and so do the three cells of the next line.
         begin = k + 1
         end = int(starts[cell + 2])
+        above = int(starts[first])
+        last = int(starts[first + 3])
+        tests += end - begin + last - above
+        # Most balls have no more candidates than these, and none is a pair: so much is seen without a branch. What is
+        # no candidate, or in the upper half of the slots, does no harm.
+        near = boxes_meet(slots[k + 1], x, y, radius) | boxes_meet(slots[k + 2], x, y, radius)
+        near |= boxes_meet(slots[above], x, y, radius) | boxes_meet(slots[above + 1], x, y, radius)
+        near |= boxes_meet(slots[above + 2], x, y, radius)
+        if not (near | (end - begin > 2) | (last - above > 3)):
+            continue
+        if count + end - begin + last - above > room:
+            state["wanted_pairs"] = 2 * room + end - begin + last - above
+            return -1
         for _ in range(2):
-            tests += end - begin
-            if count + end - begin > room:
-                state["wanted_pairs"] = 2 * room + end - begin
-                return -1
             for other in range(begin, end):
-                partner = slots[other]
-                reach = radius + partner["radius"]
                 pairs[count, 0] = ball
-                pairs[count, 1] = partner["ball"]
-                count += int((fabs(partner["x"] - x) <= reach) & (fabs(partner["y"] - y) <= reach))
-            begin = int(starts[cell + stride - 1])
-            end = int(starts[cell + stride + 2])
+                pairs[count, 1] = slots[other]["ball"]
+                count += int(boxes_meet(slots[other], x, y, radius))
+            begin = above
+            end = last
     state["box_tests"] += tests
     return count
+
+
+def boxes_meet(slot: SlotRow, x: float, y: float, radius: float) -> bool:
+    """True if the boxes of a sorted ball and of one at (x, y) overlap, as `may_touch` says, without a branch."""
+    reach = radius + float(slot["radius"])
+    return (fabs(float(slot["x"]) - x) <= reach) & (fabs(float(slot["y"]) - y) <= reach)
 
 
 def cell_number(x: float, y: float, inverse_side: float, level: int, stride: int, mask: int) -> int:
@@ -153,35 +167,38 @@ def sort_balls(
     stride: int,
     mask: int,
 ) -> int:
-    """Sort the balls by cell into `slots`; returns the set of levels that hold balls, a bit each."""
+    """Sort the balls by cell into `slots`; returns the set of levels that hold balls, a bit each.
+
+    The upper half of `slots` gets them in the order of their rows first, so that the rows are read once.
+    """
     levels = 0
+    total = int(state["balls"])
     for k in range(size + 1):
         starts[k] = 0
-    for i in range(state["balls"]):
+    for i in range(total):
         ball = balls[i]
-        x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
-        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
+        slot = slots[total + i]
+        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"]) + margin
+        level = level_of(2.0 * radius, side) if layered else 0
         levels |= 1 << level
-        starts[cell_number(x, y, inverse_side_of(side, level), level, stride, mask)] += 1
-    # Running sums turn counts into the ends of the cells.
-    total = 0
-    for k in range(size + 1):
-        total += starts[k]
-        starts[k] = total
-    # Filling each cell from its end, last ball first, leaves `starts` at the cells' beginnings and keeps the order.
-    for i in range(state["balls"] - 1, -1, -1):
-        ball = balls[i]
-        x, y = float(ball["x"]) - left, float(ball["y"]) - bottom
-        level = level_of(2.0 * (float(ball["radius"]) + margin), side) if layered else 0
-        cell = cell_number(x, y, inverse_side_of(side, level), level, stride, mask)
-        k = starts[cell] - 1
-        starts[cell] = k
-        slot = slots[k]
-        slot["x"] = ball["x"]
-        slot["y"] = ball["y"]
-        slot["radius"] = float(ball["radius"]) + margin
+        cell = cell_number(x - left, y - bottom, inverse_side_of(side, level), level, stride, mask)
+        slot["x"] = x
+        slot["y"] = y
+        slot["radius"] = radius
         slot["ball"] = i
         slot["cell"] = cell
+        starts[cell] += 1
+    # Running sums turn counts into the ends of the cells.
+    end = 0
+    for k in range(size + 1):
+        end += starts[k]
+        starts[k] = end
+    # Filling each cell from its end, last ball first, leaves `starts` at the cells' beginnings and keeps the order.
+    for i in range(2 * total - 1, total - 1, -1):
+        cell = int(slots[i]["cell"])
+        k = starts[cell] - 1
+        starts[cell] = k
+        slots[k] = slots[i]
     return levels
 
 

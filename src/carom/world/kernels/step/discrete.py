@@ -195,9 +195,10 @@ def meet_all_shapes(
     gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
     most = most_meetings(state, index)
     for i in range(state["cursor"], state["balls"]):
-        ball = balls[i]
-        if ball["asleep"] != 0 or not (first or saved[i]["touched"] & SHAPES_DUE):
+        # Most balls are not due again; then their rows are not read.
+        if not (first or saved[i]["touched"] & SHAPES_DUE) or balls[i]["asleep"] != 0:
             continue
+        ball = balls[i]
         if lacks_room(state, len(hits), len(relations), i, most):
             return NEEDS_ROOM
         from_x, from_y = float(ball["x"]), float(ball["y"])
@@ -295,7 +296,9 @@ def find_pairs(
     if state["iteration"] > 0:
         count = keep_due(pairs, count, saved)
     for i in range(state["balls"]):
-        saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+        # Few are due, and to write costs more than to read.
+        if saved[i]["touched"] & PAIRS_DUE:
+            saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
     state["pairs"] = count
     enter_stage(state, PAIRS)
     return DONE

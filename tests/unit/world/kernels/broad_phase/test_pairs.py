@@ -40,7 +40,7 @@ def test_a_search_that_runs_out_of_room_says_how_much_it_wants(room: int) -> Non
     assert pairs_by_brute_force(state, rows, pairs) == -1
     assert state["wanted_pairs"] > room
     state = state_row(rows, "grid", 6)
-    slots = np.zeros(len(rows), SLOT)
+    slots = np.zeros(2 * len(rows) + 2, SLOT)
     assert pairs_by_grid(state, rows, (slots, np.zeros(1, "i4"), pairs), 0.0) == -1
     assert state["wanted_starts"] > 1
     assert pairs_by_grid(state, rows, (slots, np.zeros(int(state["wanted_starts"]), "i4"), pairs), 0.0) == -1
