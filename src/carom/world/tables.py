@@ -58,6 +58,12 @@ class WorldTable(RowTable[R]):
         owner._index = index = self.find(owner._id)
         return index * self._width
 
+    def id_at(self, index: int) -> int:
+        """The id of the row with an index, which must be in use."""
+        if self._seen is not self.rows:
+            self._look()
+        return self.whole[index * self._width + self._id]
+
     def find(self, member_id: int | None) -> int:
         """The index of the row with an id; raises `InvalidArgument` where there is none."""
         ids = self.used["id"]
