@@ -17,7 +17,6 @@ import numpy as np
 
 from carom.errors import SnapshotError
 from carom.rows.flight import COURSE
-from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE, STATE
 from carom.rows.tables import Rows
@@ -30,9 +29,9 @@ from carom.shapes.shape import Shape
 from carom.world.departed import Departed
 from carom.world.removal import relations_in_order, set_relations
 from carom.world.snapshot_check import DERIVED, Contents, check_contents
+from carom.world.tables import Arrays, grown
 
 if TYPE_CHECKING:
-    from carom.world.tables import Arrays
     from carom.world.world import World
 
 W = TypeVar("W", Compound, Group)
@@ -207,8 +206,9 @@ def fill(arrays: Arrays, contents: Contents) -> None:
     """Make tables what the contents say."""
     arrays.fill(contents.balls, contents.shapes)
     arrays.states[0] = contents.state[0]
-    arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
-    arrays.states[0]["hits"] = len(contents.hits)
+    count = len(contents.hits)
+    arrays.hits = grown(contents.hits, count + 64, count)
+    arrays.states[0]["hits"] = count
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
     _keep_saved(arrays, contents.courses)
