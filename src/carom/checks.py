@@ -107,14 +107,16 @@ def non_negative(name: str, value: Any) -> float:
 
 def pair(name: str, value: Any) -> Vector:
     """`value` as a tuple of two finite floats."""
+    if type(value) is tuple and len(value) == 2:
+        x, y = value
+        if type(x) is type(y) is float and isfinite(x) and isfinite(y):
+            return value
     if isinstance(value, (str, bytes, dict, set, frozenset)):
         raise refuse(name, "must be a pair of numbers", value)
     try:
         x, y = value
     except (TypeError, ValueError):
         raise refuse(name, "must be a pair of numbers", value) from None
-    if type(x) is type(y) is float and isfinite(x) and isfinite(y):
-        return x, y
     return number(f"{name}[0]", x), number(f"{name}[1]", y)
 
 

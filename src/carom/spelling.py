@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from carom.errors import UnknownName
 
+_set = object.__setattr__
+
 T = TypeVar("T", bound=Callable[..., Any])
 
 #: Names that other libraries, or a hurry, have for options and fields of carom's.
@@ -128,7 +130,7 @@ class Spelled:
             if not hasattr(kind, name) and not name.startswith("_") and "_SPELLED" in kind.__dict__:
                 raise _unknown(name, f"attribute of a {kind.__name__}", _settable(kind))
             try:
-                object.__setattr__(self, name, value)
+                _set(self, name, value)
             except AttributeError:
                 if _can_be_set(inspect.getattr_static(kind, name, None)) or "_SPELLED" not in kind.__dict__:
                     raise

@@ -17,6 +17,7 @@ from carom.errors import WorldBusy
 P = ParamSpec("P")
 R = TypeVar("R")
 Method = TypeVar("Method", bound=Callable[..., Any])
+Setter = TypeVar("Setter", bound=Callable[[Any, Any], None])
 
 
 class Turn:
@@ -64,12 +65,35 @@ def alone(method: Method) -> Method:
     return cast("Method", guarded)
 
 
+def setting(method: Setter) -> Setter:
+    """A setter of a shape, compound, group or ball: as `changing`, but for what it takes to pass arguments on."""
+
+    @wraps(method)
+    def guarded(member: Any, value: Any, /) -> None:
+        world = member._world
+        if world is None:
+            method(member, value)
+            return
+        turn = world._turn
+        try:
+            del turn.free
+        except AttributeError:
+            having(world, method, member, value)
+            return
+        try:
+            method(member, value)
+        finally:
+            turn.free = None
+
+    return cast("Setter", guarded)
+
+
 def changing(method: Method) -> Method:
     """A method of a shape, compound or ball that changes it: if it is in a world, it has that to itself."""
 
     @wraps(method)
     def guarded(member: Any, /, *arguments: Any, **options: Any) -> Any:
-        world = member.world
+        world = member._world
         if world is None:
             return method(member, *arguments, **options)
         return having(world, method, member, *arguments, **options)

@@ -16,7 +16,7 @@ from carom.shapes.mover import Geometry
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import changing, setting
 from carom.typing import Pair, Vector
 
 AngleName: TypeAlias = Literal["start_angle", "end_angle"]
@@ -68,7 +68,7 @@ class Arc(RoundShape):
         return float(self._row["start_angle"])
 
     @start_angle.setter
-    @changing
+    @setting
     def start_angle(self, value: float) -> None:
         self._set_angle("start_angle", value, "end_angle")
 
@@ -78,7 +78,7 @@ class Arc(RoundShape):
         return float(self._row["end_angle"])
 
     @end_angle.setter
-    @changing
+    @setting
     def end_angle(self, value: float) -> None:
         self._set_angle("end_angle", value, "start_angle")
 
@@ -97,7 +97,7 @@ class Arc(RoundShape):
         return self.start_angle, self.end_angle
 
     @angles.setter
-    @changing
+    @setting
     def angles(self, value: Pair) -> None:
         start, end = pair("angles", value)
         self._set_angles(("angles[0]", start), ("angles[1]", end))

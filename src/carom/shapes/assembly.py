@@ -16,7 +16,8 @@ from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.detection import Contact
 from carom.shapes.named import Named
 from carom.shapes.shape import Shape, Surface
-from carom.turns import changing
+from carom.shapes.table import Home
+from carom.turns import changing, setting
 from carom.typing import Pair, Vector
 
 
@@ -26,7 +27,7 @@ def _common(name: Surface, check: Callable[[str, Any], Any]) -> property:
     def read(whole: Assembly) -> Any:
         return whole._surface.get(name)
 
-    @changing
+    @setting
     def write(whole: Assembly, value: Any) -> None:
         whole._set_surface(name, value if value is None else check(name, value))
 
@@ -132,8 +133,12 @@ class Assembly(Named):
     @property
     def world(self) -> Any:
         """The `World` that it is in, or None."""
+        return self._world
+
+    @property
+    def _world(self) -> Home | None:
         # One has no parts where another world was restored over it.
-        return self._parts[0].world if self._parts else None
+        return self._parts[0]._world if self._parts else None
 
     # -- what it meets -----------------------------------------------------------------------------------------------
 

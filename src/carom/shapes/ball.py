@@ -21,11 +21,11 @@ from carom.shapes.round import Round
 from carom.shapes.shape import Shape
 from carom.shapes.table import put_fields, word_of
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import changing, setting
 from carom.typing import Pair, Restitution, Vector
 
 #: Where a row has them, as words of 64 bits.
-PLACE, VELOCITY = word_of(BALL, "x"), word_of(BALL, "vx")
+X, Y, VX, VY, RADIUS = (word_of(BALL, field) for field in ("x", "y", "vx", "vy", "radius"))
 
 #: What is said of a ball that is put beyond the range of numbers.
 LEAVES = "must leave the ball's box and velocity finite"
@@ -116,38 +116,54 @@ class Ball(Round[BallRow]):
     @property
     def position(self) -> Vector:
         """Where its centre is."""
-        return self._table.pair(self, PLACE)
+        table = self._table
+        at = table.at(self)
+        floats = table.floats
+        return floats[at + X], floats[at + Y]
 
     @position.setter
-    @changing
+    @setting
     def position(self, value: Pair) -> None:
         self._put_at("position", value)
 
     def _put_at(self, name: str, value: Pair) -> None:
         x, y = pair(name, value)
-        if not all(map(isfinite, circle_box(x, y, self.radius))):
+        table = self._table
+        at = table.at(self)
+        floats = table.floats
+        radius = floats[at + RADIUS]
+        if not (isfinite(abs(x) + radius) and isfinite(abs(y) + radius)):
             raise refuse(name, LEAVES, value)
-        self._table.put_pair(self, PLACE, x, y)
+        floats[at + X], floats[at + Y] = x, y
         self._change()
 
     @property
     def velocity(self) -> Vector:
         """How fast it moves, in length/s."""
-        return self._table.pair(self, VELOCITY)
+        table = self._table
+        at = table.at(self)
+        floats = table.floats
+        return floats[at + VX], floats[at + VY]
 
     @velocity.setter
-    @changing
+    @setting
     def velocity(self, value: Pair) -> None:
-        self._table.put_pair(self, VELOCITY, *pair("velocity", value))
+        vx, vy = pair("velocity", value)
+        table = self._table
+        at = table.at(self)
+        floats = table.floats
+        floats[at + VX], floats[at + VY] = vx, vy
         self._change()
 
     @property
     def radius(self) -> float:
         """Its radius; positive."""
-        return float(self._row["radius"])
+        table = self._table
+        at = table.at(self)
+        return table.floats[at + RADIUS]
 
     @radius.setter
-    @changing
+    @setting
     def radius(self, value: float) -> None:
         self._write(self._with("radius", value, radius=positive("radius", value)))
 
@@ -157,7 +173,7 @@ class Ball(Round[BallRow]):
         return float(self._row["mass"])
 
     @mass.setter
-    @changing
+    @setting
     def mass(self, value: float) -> None:
         self._row["mass"] = positive("mass", value)
         self._change()
@@ -169,7 +185,7 @@ class Ball(Round[BallRow]):
         return None if friction == OF_WORLD else friction
 
     @friction.setter
-    @changing
+    @setting
     def friction(self, value: float | None) -> None:
         self._row["friction"] = _friction(value)
         self._change()

@@ -13,7 +13,7 @@ from carom.rows.shape import CIRCLE
 from carom.shapes.round import RoundShape
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -46,7 +46,7 @@ class Circle(RoundShape):
         return bool(self._row["solid"])
 
     @solid.setter
-    @changing
+    @setting
     def solid(self, value: bool) -> None:
         self._row["solid"] = flag("solid", value)
         self._change()

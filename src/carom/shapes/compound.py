@@ -13,7 +13,7 @@ from carom.shapes.on_rails import OnRails
 from carom.shapes.point import Point
 from carom.shapes.shape import Shape
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -102,7 +102,7 @@ class Compound(Assembly, OnRails):
         return self.center_point.position
 
     @position.setter
-    @changing
+    @setting
     def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         from_x, from_y = self.position
@@ -117,7 +117,7 @@ class Compound(Assembly, OnRails):
         return self.center_point.pivot
 
     @pivot.setter
-    @changing
+    @setting
     def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         rows = [part._hung("pivot", value, x, y) for part in self._parts]
@@ -131,7 +131,7 @@ class Compound(Assembly, OnRails):
         return self.center_point.orientation
 
     @orientation.setter
-    @changing
+    @setting
     def orientation(self, value: float) -> None:
         self._turn("orientation", value, *self.pivot)
 

@@ -12,7 +12,7 @@ from carom.rows.shape import GATE, ShapeRow
 from carom.shapes.segment import Segment, two_ends
 from carom.shapes.shape import ShapeOptions
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -58,7 +58,7 @@ class Gate(Segment):
         return float(row["dx"]) + 0.0, float(row["dy"]) + 0.0  # -0 + 0 is 0
 
     @direction.setter
-    @changing
+    @setting
     def direction(self, value: Pair) -> None:
         dx, dy = _unit_direction(value)
         self._set_geometry("direction", value, dx=dx, dy=dy)

@@ -10,7 +10,7 @@ from carom.rows.shape import STATIC, Motion, ShapeRow
 from carom.shapes.assembly import Assembly, listed
 from carom.shapes.shape import Shape, Surface
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -92,7 +92,7 @@ class Group(Assembly):
         return 0.5 * (box.left + box.right), 0.5 * (box.bottom + box.top)
 
     @position.setter
-    @changing
+    @setting
     def position(self, value: Pair) -> None:
         x, y = pair("position", value)
         from_x, from_y = self.position
@@ -107,7 +107,7 @@ class Group(Assembly):
         return any(part.can_collide for part in self._parts)
 
     @can_collide.setter
-    @changing
+    @setting
     def can_collide(self, value: bool) -> None:
         self._set_surface("can_collide", flag("can_collide", value))
 

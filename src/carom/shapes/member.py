@@ -13,7 +13,7 @@ from carom.shapes.aabb import Aabb
 from carom.shapes.copies import add_attributes, added_attributes
 from carom.shapes.named import Named
 from carom.shapes.table import Home, R, RowTable
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Vector
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ class Member(Named, ABC, Generic[R]):
         return float(self._row["elasticity"])
 
     @elasticity.setter
-    @changing
+    @setting
     def elasticity(self, value: float) -> None:
         self._row["elasticity"] = non_negative("elasticity", value)
         self._change()
@@ -166,7 +166,7 @@ class Member(Named, ABC, Generic[R]):
         return bool(self._row["sensor"])
 
     @sensor.setter
-    @changing
+    @setting
     def sensor(self, value: bool) -> None:
         self._row["sensor"] = flag("sensor", value)
         self._change()
@@ -177,7 +177,7 @@ class Member(Named, ABC, Generic[R]):
         return bool(self._row["can_collide"])
 
     @can_collide.setter
-    @changing
+    @setting
     def can_collide(self, value: bool) -> None:
         self._row["can_collide"] = flag("can_collide", value)
         self._change()
@@ -188,7 +188,7 @@ class Member(Named, ABC, Generic[R]):
         return int(self._row["layer"])
 
     @layer.setter
-    @changing
+    @setting
     def layer(self, value: int) -> None:
         self._row["layer"] = layers("layer", value)
         self._change()
@@ -199,7 +199,7 @@ class Member(Named, ABC, Generic[R]):
         return int(self._row["collides_with"])
 
     @collides_with.setter
-    @changing
+    @setting
     def collides_with(self, value: int) -> None:
         self._row["collides_with"] = layers("collides_with", value)
         self._change()

@@ -10,23 +10,28 @@ import numpy as np
 
 from carom.checks import pair, refuse
 from carom.rows.pose import derive, pose, set_before, set_initial
-from carom.rows.shape import SHAPE, STATIC, Motion, ShapeRow
+from carom.rows.shape import KINEMATIC, SHAPE, STATIC, Motion, ShapeRow
 from carom.shapes.member import Member
 from carom.shapes.on_rails import OnRails
 from carom.shapes.rails import (
+    TIME_LEFT,
     halt,
     motion_value,
     send,
     write_motion,
 )
 from carom.shapes.table import Home, RowTable, put_fields
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import MotionName, Pair, Vector
 
 if TYPE_CHECKING:
     from carom.shapes.assembly import Assembly
     from carom.shapes.compound import Compound
     from carom.shapes.group import Group
+
+
+#: The byte of a row that says how the shape moves.
+MOTION = int(cast("dict[str, tuple[object, int]]", SHAPE.fields)["motion"][1])
 
 
 class Geometry(TypedDict, total=False):
@@ -95,9 +100,22 @@ class Mover(OnRails, Member[ShapeRow]):
     def _carried(self) -> Sequence[Mover]:
         return [self]
 
+    def _is_kinematic(self) -> bool:
+        """Whether it moves on rails."""
+        at = self._table.at(self)
+        return self._table.octets[8 * at + MOTION] == KINEMATIC
+
+    def _halted(self) -> int:
+        """The word at which the row begins, which is let rest where it is if `move_to` has sent it somewhere."""
+        at = self._table.at(self)
+        if self._table.floats[at + TIME_LEFT] > 0.0:
+            halt(self._row)
+        return at
+
     def _refuse_part(self, name: str, value: object) -> None:
         """Raise where the shape is part of a compound, which alone says where its parts are."""
-        if self.compound is not None:
+        whole = self._whole
+        if whole is not None and whole.kind == "compound":
             raise refuse(name, "must be left to the compound that the shape is part of", value)
 
     def _still_row(self) -> ShapeRow:
@@ -194,7 +212,7 @@ class Mover(OnRails, Member[ShapeRow]):
         return float(row["cx"]), float(row["cy"])
 
     @position.setter
-    @changing
+    @setting
     def position(self, value: Pair) -> None:
         self._put_at("position", value)
 
@@ -216,7 +234,7 @@ class Mover(OnRails, Member[ShapeRow]):
         return float(row["pivot_x"]), float(row["pivot_y"])
 
     @pivot.setter
-    @changing
+    @setting
     def pivot(self, value: Pair) -> None:
         x, y = pair("pivot", value)
         self._refuse_part("pivot", value)
@@ -238,7 +256,7 @@ class Mover(OnRails, Member[ShapeRow]):
         return Motion(int(self._row["motion"]))
 
     @motion.setter
-    @changing
+    @setting
     def motion(self, value: MotionName | Motion) -> None:
         if self.group is not None and motion_value(value) != STATIC:
             raise refuse("motion", "must stay 'static' for a part of a group", value)

@@ -7,7 +7,7 @@ from abc import abstractmethod
 from carom.checks import pair, text_or_none
 from carom.geometry.vector import length
 from carom.spelling import Spelled
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -24,7 +24,7 @@ class Named(Spelled):
         return self._name
 
     @name.setter
-    @changing
+    @setting
     def name(self, value: str | None) -> None:
         self._name = text_or_none("name", value)
 

@@ -11,15 +11,17 @@ from carom.rows.pose import acting_spin, surface_velocity
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.shapes.named import Named
 from carom.shapes.rails import (
+    ANGULAR_VELOCITY,
+    VELOCITY_X,
+    VELOCITY_Y,
+    not_kinematic,
     target_orientation,
     target_pivot,
-    write_angular_velocity,
     write_rotating,
     write_turn_limits,
-    write_velocity,
 )
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import changing, setting
 from carom.typing import Pair, Vector
 
 if TYPE_CHECKING:
@@ -130,22 +132,36 @@ class OnRails(Named):
     def _set_motion(self, name: str, write: Callable[[ShapeRow, Any], None], value: Any) -> None:
         """Have `write` check and write what was set of the motion; it refuses the first row before any has changed."""
         self._refuse_part(name, value)
-        shapes = self._carried
-        for shape in shapes:
-            write(shape._row, value)
-        world = shapes[0]._world
+        movers = self._carried
+        for mover in movers:
+            write(mover._row, value)
+        self._set_going(movers)
+
+    def _set_going(self, movers: Sequence[Mover]) -> None:
+        """Tell the world, if there is one, that shapes were set to move otherwise."""
+        world = movers[0]._world
         if world is not None:
             world._set_going()
 
     @property
     def angular_velocity(self) -> float:
         """How fast it turns about its pivot, in rad/s; becomes 0 at a stop."""
-        return float(self._carried[0]._row["angular_velocity"])
+        mover = self._carried[0]
+        at = mover._table.at(mover)
+        return mover._table.floats[at + ANGULAR_VELOCITY]
 
     @angular_velocity.setter
-    @changing
+    @setting
     def angular_velocity(self, value: float) -> None:
-        self._set_motion("angular_velocity", write_angular_velocity, value)
+        self._refuse_part("angular_velocity", value)
+        angular_velocity = number("angular_velocity", value)
+        movers = self._carried
+        if angular_velocity != 0.0 and not movers[0]._is_kinematic():
+            raise not_kinematic("angular_velocity", value)
+        for mover in movers:
+            at = mover._halted()
+            mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
+        self._set_going(movers)
 
     @property
     def rotating(self) -> bool:
@@ -153,7 +169,7 @@ class OnRails(Named):
         return bool(self._carried[0]._row["rotating"])
 
     @rotating.setter
-    @changing
+    @setting
     def rotating(self, value: bool) -> None:
         self._set_motion("rotating", write_rotating, value)
 
@@ -164,20 +180,31 @@ class OnRails(Named):
         return (float(row["turn_low"]), float(row["turn_high"])) if row["turn_limited"] else None
 
     @turn_limits.setter
-    @changing
+    @setting
     def turn_limits(self, value: Pair | None) -> None:
         self._set_motion("turn_limits", write_turn_limits, value)
 
     @property
     def velocity(self) -> Vector:
         """How fast its pivot, and it with that, travels, in length/s."""
-        row = self._carried[0]._row
-        return float(row["velocity_x"]), float(row["velocity_y"])
+        mover = self._carried[0]
+        at = mover._table.at(mover)
+        floats = mover._table.floats
+        return floats[at + VELOCITY_X], floats[at + VELOCITY_Y]
 
     @velocity.setter
-    @changing
+    @setting
     def velocity(self, value: Pair) -> None:
-        self._set_motion("velocity", write_velocity, value)
+        self._refuse_part("velocity", value)
+        x, y = pair("velocity", value)
+        movers = self._carried
+        if (x != 0.0 or y != 0.0) and not movers[0]._is_kinematic():
+            raise not_kinematic("velocity", value)
+        for mover in movers:
+            at = mover._halted()
+            floats = mover._table.floats
+            floats[at + VELOCITY_X], floats[at + VELOCITY_Y] = x, y
+        self._set_going(movers)
 
     def surface_velocity(self, p: Pair) -> Vector:
         """The velocity of its matter at `p`, in length/s: velocity + ω·perp(p - pivot); (0, 0) if static."""

@@ -6,9 +6,16 @@ from math import cos, isfinite, sin
 from typing import Any
 
 from carom.checks import flag, number, one_of, pair, refuse
+from carom.errors import InvalidArgument
 from carom.geometry.vector import rotated
-from carom.rows.shape import DYNAMIC, KINEMATIC, STATIC, Motion, ShapeRow
+from carom.rows.shape import DYNAMIC, KINEMATIC, SHAPE, STATIC, Motion, ShapeRow
+from carom.shapes.table import word_of
 from carom.typing import Vector
+
+#: Where a row has how its shape moves, as words of 64 bits.
+ANGULAR_VELOCITY, VELOCITY_X, VELOCITY_Y, TIME_LEFT = (
+    word_of(SHAPE, field) for field in ("angular_velocity", "velocity_x", "velocity_y", "time_left")
+)
 
 _MOTIONS = {"static": STATIC, "kinematic": KINEMATIC}
 
@@ -121,4 +128,9 @@ def write_turn_limits(row: ShapeRow, value: Any) -> None:
 def _need_kinematic(row: ShapeRow, name: str, value: Any) -> None:
     """Raise where the row is static, for there the setting would silently do nothing."""
     if row["motion"] != KINEMATIC:
-        raise refuse(name, "must not be set unless motion is 'kinematic'", value)
+        raise not_kinematic(name, value)
+
+
+def not_kinematic(name: str, value: Any) -> InvalidArgument:
+    """The error to raise where it is not."""
+    return refuse(name, "must not be set unless motion is 'kinematic'", value)

@@ -12,7 +12,7 @@ from carom.shapes.member import Member
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 from carom.shapes.table import R
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
@@ -27,7 +27,7 @@ class Round(Member[R]):
         return self.position
 
     @center.setter
-    @changing
+    @setting
     def center(self, value: Pair) -> None:
         self._put_at("center", value)
 
@@ -89,6 +89,6 @@ class RoundShape(Shape, Round[ShapeRow]):
         return float(self._row["radius"])
 
     @radius.setter
-    @changing
+    @setting
     def radius(self, value: float) -> None:
         self._set_geometry("radius", value, radius=positive("radius", value))

@@ -11,7 +11,7 @@ from carom.rows.shape import SEGMENT, ShapeRow
 from carom.shapes.line import Line
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
-from carom.turns import changing
+from carom.turns import changing, setting
 from carom.typing import Pair, Vector
 
 
@@ -53,7 +53,7 @@ class Segment(Shape):
         return float(row["ax"]), float(row["ay"])
 
     @p0.setter
-    @changing
+    @setting
     def p0(self, value: Pair) -> None:
         self._put_p0("p0", value)
 
@@ -69,7 +69,7 @@ class Segment(Shape):
         return float(row["bx"]), float(row["by"])
 
     @p1.setter
-    @changing
+    @setting
     def p1(self, value: Pair) -> None:
         self._put_p1("p1", value)
 
@@ -84,7 +84,7 @@ class Segment(Shape):
         return self.p0
 
     @start.setter
-    @changing
+    @setting
     def start(self, value: Pair) -> None:
         self._put_p0("start", value)
 
@@ -94,7 +94,7 @@ class Segment(Shape):
         return self.p1
 
     @end.setter
-    @changing
+    @setting
     def end(self, value: Pair) -> None:
         self._put_p1("end", value)
 

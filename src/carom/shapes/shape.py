@@ -16,7 +16,7 @@ from carom.shapes.detection import Contact, detect_shape
 from carom.shapes.mover import Geometry, Mover
 from carom.shapes.rails import write_angular_velocity, write_motion, write_rotating, write_turn_limits, write_velocity
 from carom.shapes.table import put_fields
-from carom.turns import changing
+from carom.turns import setting
 from carom.typing import MotionName, Pair
 
 if TYPE_CHECKING:
@@ -139,7 +139,7 @@ class Shape(Mover):
         return float(self._row["kick"])
 
     @kick.setter
-    @changing
+    @setting
     def kick(self, value: float) -> None:
         self._put("kick", non_negative("kick", value))
 
@@ -149,7 +149,7 @@ class Shape(Mover):
         return bool(self._row["once"])
 
     @once.setter
-    @changing
+    @setting
     def once(self, value: bool) -> None:
         self._put("once", flag("once", value))
 

@@ -39,16 +39,22 @@ class Home(Protocol):
 class RowTable(Generic[R]):
     """Rows of one dtype, and which of them is whose. `rows` may be longer than what is in use.
 
-    A world's table overrides `index`, where rows move: it finds the row of `owner._id`, or of `owner._index`.
+    A world's table overrides `at`, where rows move: it finds the row of `owner._id`, or of `owner._index`.
 
     What is read and written all the time goes by words of 64 bits, not by fields of records, which take NumPy several
-    times as long: `pair` and `put_pair`.
+    times as long.
+
+    Attributes:
+        floats: All rows as floats, from the one that `at` names on.
+        whole: The same as whole numbers.
+        octets: The same as bytes, eight for each of the others.
     """
 
-    __slots__ = ("_floats", "_seen", "_whole", "_width", "rows")
+    __slots__ = ("_seen", "_width", "floats", "octets", "rows", "whole")
 
-    _floats: memoryview[float]
-    _whole: memoryview[int]
+    floats: memoryview[float]
+    whole: memoryview[int]
+    octets: memoryview[int]
 
     def __init__(self, rows: Rows) -> None:
         self.rows = rows
@@ -62,9 +68,15 @@ class RowTable(Generic[R]):
         # By bytes: NumPy copies structured rows field by field.
         return cls(np.frombuffer(bytearray(rows.tobytes()), rows.dtype))
 
+    def at(self, owner: Owner) -> int:
+        """The word of `floats` and `whole` at which `owner`'s row begins; to be asked before these are read."""
+        if self._seen is not self.rows:
+            self._look()
+        return owner._index * self._width
+
     def index(self, owner: Owner) -> int:
         """The index of `owner`'s row in `rows`."""
-        return owner._index
+        return self.at(owner) // self._width
 
     def row(self, owner: Owner) -> R:
         """`owner`'s row, as a view that can be written to."""
@@ -73,31 +85,16 @@ class RowTable(Generic[R]):
 
     def copied(self, owner: Owner) -> R:
         """A copy of `owner`'s row."""
-        if self._seen is not self.rows:
-            self._look()
-        at = self.index(owner) * self._width
-        row: R = np.frombuffer(bytearray(self._whole[at : at + self._width]), self.rows.dtype)[0]
+        at = self.at(owner)
+        row: R = np.frombuffer(bytearray(self.whole[at : at + self._width]), self.rows.dtype)[0]
         return row
 
     def _look(self) -> None:
         """Make the words be those of the rows, which were replaced."""
-        self._floats = memoryview(self.rows.view(np.float64))  # type: ignore[arg-type]
-        self._whole = memoryview(self.rows.view(np.int64))  # type: ignore[arg-type]
+        self.floats = memoryview(self.rows.view(np.float64))  # type: ignore[arg-type]
+        self.whole = memoryview(self.rows.view(np.int64))  # type: ignore[arg-type]
+        self.octets = memoryview(self.rows.view(np.uint8))  # type: ignore[arg-type]
         self._seen = self.rows
-
-    def pair(self, owner: Owner, word: int) -> tuple[float, float]:
-        """Two numbers that stand side by side in `owner`'s row, from a word of it on."""
-        if self._seen is not self.rows:
-            self._look()
-        at = self.index(owner) * self._width + word
-        return self._floats[at], self._floats[at + 1]
-
-    def put_pair(self, owner: Owner, word: int, first: float, second: float) -> None:
-        """Write what `pair` reads."""
-        if self._seen is not self.rows:
-            self._look()
-        at = self.index(owner) * self._width + word
-        self._floats[at], self._floats[at + 1] = first, second
 
     def write(self, owner: Owner, row: R) -> None:
         """Copy the fields of `row` into `owner`'s row."""

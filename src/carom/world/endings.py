@@ -161,7 +161,7 @@ def _ids_of(member: Shape | Ball | Compound | Group) -> list[int]:
 
 def _ids_called(world: World, name: str) -> list[int]:
     """The ids of all that bears a name; raises where nothing does."""
-    members = [*world._listed, *world._objects.values()]
+    members = [*world._list(), *world._objects.values()]
     found = {key for member in members if member.name == name for key in _ids_of(member)}
     if not found:
         said = hint(name, sorted({member.name for member in members if member.name is not None}))

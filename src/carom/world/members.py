@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
@@ -36,6 +38,12 @@ from carom.world.waking import will_wake
 
 if TYPE_CHECKING:
     from carom.world.world import World
+
+#: Of more that leave together the list is made anew, which then is quicker than to take each out of it.
+MOST_UNLISTED = 64
+
+#: What is listed by its id, which ascends in the order of adding.
+ID = attrgetter("id")
 
 R = TypeVar("R")
 T = TypeVar("T", bound=Shape | Ball | Compound | Group)
@@ -150,16 +158,26 @@ class Members:
         """Take in a shape that has become part of a whole which is here; it is listed no more, if it was."""
         if shape.world is None:
             self._take_in((shape,))
-        elif self._added.pop(shape.id or 0, None) is not None:
-            self._listed = []
+        else:
+            self._unlist(shape.id or 0, 1)
         if shape.group is not None:
             shape.group._tie()
 
     def _list(self) -> list[Shape | Compound | Group]:
-        """What was added, in that order: a list that is made anew only after something was taken out."""
+        """What was added, in that order, which is that of ids: a list that is made anew only after much has left."""
         if len(self._listed) != len(self._added):
             self._listed = list(self._added.values())
         return self._listed
+
+    def _unlist(self, member_id: int, leaving: int) -> None:
+        """List what has an id no more, if it is, of so many that leave together; its parts have their ids yet."""
+        listed = self._listed
+        if len(listed) == len(self._added) and leaving <= MOST_UNLISTED:
+            if member_id in self._added:
+                del listed[bisect_left(listed, member_id, key=ID)]
+        else:
+            self._listed = []
+        self._added.pop(member_id, None)
 
     def _enter(self, members: list[Shape | Ball]) -> None:
         """Give members rows at the ends of their tables."""
@@ -257,8 +275,7 @@ class Members:
         tables = (self._arrays.balls, self._arrays.shape_table)
         gone = {table: self._none_of(table.count) for table in tables}
         for members in leavers:
-            self._added.pop(members[0].id or 0, None)
-            self._listed = []
+            self._unlist(members[0].id or 0, len(leavers))
             for member in members:
                 table = self._arrays.table_of(member)
                 gone[table][table.index(member)] = True

@@ -10,13 +10,13 @@ from __future__ import annotations
 import hashlib
 import io
 import json
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from carom.errors import SnapshotError
 from carom.rows.flight import COURSE
-from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE, STATE
 from carom.rows.tables import Rows
@@ -29,15 +29,21 @@ from carom.shapes.shape import Shape
 from carom.world.departed import Departed
 from carom.world.removal import relations_in_order, set_relations
 from carom.world.snapshot_check import DERIVED, Contents, check_contents
+from carom.world.tables import Arrays, grown
 
 if TYPE_CHECKING:
-    from carom.world.tables import Arrays
     from carom.world.world import World
 
 W = TypeVar("W", Compound, Group)
 
 MAGIC = b"carom snapshot 2\n"
 HASH_SIZE = 16
+
+#: Bytes of an array's head, the last two of which tell how many more it has, and how many heads are kept.
+HEAD_SIZE, HEADS_KEPT = 10, 64
+
+#: So many snapshots that were read last are kept as they were read, each of at most so many bytes.
+KEPT, MOST_KEPT = 8, 2**20
 
 #: The statistics that count how much was searched.
 WORK = ("box_tests", "full_tests")
@@ -84,11 +90,42 @@ def payload(arrays: Arrays, header: dict[str, Any], wake: bool, left_out: tuple[
         balls[field] = balls[field] != 0  # whatever bytes were written through a view: kernels ask for 0 or not
     relations = np.array(relations_in_order(arrays), "f8").reshape(-1, 5)
     text = np.frombuffer(json.dumps(header, sort_keys=True).encode(), "u1")
-    file = io.BytesIO()
     pending = arrays.hits[: int(arrays.states[0]["hits"])]
-    for array in (text, state, balls, arrays.shapes.used, relations, pending, _courses(arrays)):
-        np.save(file, array, allow_pickle=False)
+    tables = (text, state, balls, arrays.shapes.used, relations, pending, _courses(arrays))
+    return b"".join(part for table in tables for part in (_head(table.dtype, table.shape), table.tobytes()))
+
+
+@lru_cache(HEADS_KEPT)
+def _head(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
+    """What stands before the rows of an array in NumPy's file format; it takes long to write and to read."""
+    file = io.BytesIO()
+    told = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape}
+    np.lib.format.write_array_header_1_0(file, told)
     return file.getvalue()
+
+
+@lru_cache(HEADS_KEPT)
+def _told(head: bytes) -> tuple[np.dtype[Any], tuple[int, ...]]:
+    """The dtype and the shape of an array, by what stands before its rows."""
+    file = io.BytesIO(head)
+    version = np.lib.format.read_magic(file)
+    shape, transposed, dtype = np.lib.format.read_array_header_1_0(file)
+    if version != (1, 0) or transposed or dtype.hasobject:
+        raise SnapshotError("snapshot has tables of another form")
+    return dtype, shape
+
+
+def _arrays_in(data: bytes, count: int) -> tuple[Any, ...]:
+    """So many arrays that stand one after the other, as views that cannot be written to, and where they end."""
+    found: list[Any] = []
+    at = 0
+    for _ in range(count):
+        rows_at = at + HEAD_SIZE + int.from_bytes(data[at + HEAD_SIZE - 2 : at + HEAD_SIZE], "little")
+        dtype, shape = _told(data[at:rows_at])
+        rows: Rows = np.ndarray(shape, dtype, data, rows_at)
+        found.append(rows)
+        at = rows_at + rows.nbytes
+    return (*found, at)
 
 
 def _courses(arrays: Arrays) -> Rows:
@@ -103,7 +140,7 @@ def _courses(arrays: Arrays) -> Rows:
 
 def header_of(world: World) -> dict[str, Any]:
     """Names, compounds and groups."""
-    names = {str(key): member.name for key, member in list(world._objects.items()) if member.name is not None}
+    names = {str(key): member._name for key, member in list(world._objects.items()) if member._name is not None}
     wholes: dict[str, list[dict[str, Any]]] = {"compounds": [], "groups": []}
     for shape in list(world._added.values()):
         if isinstance(shape, Assembly):
@@ -117,16 +154,22 @@ def read(snapshot: Any) -> Contents:
     if not isinstance(snapshot, (bytes, bytearray, memoryview)):
         raise SnapshotError(f"snapshot must be bytes, not {type(snapshot).__name__}")
     data = bytes(snapshot)
+    return (_read if len(data) <= MOST_KEPT else _read.__wrapped__)(data)
+
+
+@lru_cache(KEPT)
+def _read(data: bytes) -> Contents:
+    """The same of some bytes, which is not to be changed; whoever goes back to a state does so more than once."""
     start = len(MAGIC) + HASH_SIZE
     if not data.startswith(MAGIC) or len(data) < start:
         raise SnapshotError("snapshot must begin with the line that carom's snapshots begin with")
-    if _hash(data[start:]) != data[len(MAGIC) : start]:
+    held = data[start:]
+    if _hash(held) != data[len(MAGIC) : start]:
         raise SnapshotError("snapshot is damaged: its hash is not that of its contents")
     try:
-        file = io.BytesIO(data[start:])
-        text, *tables = [np.lib.format.read_array(file, allow_pickle=False) for _ in range(7)]
+        text, *tables, end = _arrays_in(held, 7)
         contents = Contents(json.loads(text.tobytes().decode()), *tables)
-        if file.read(1):
+        if end < len(held):
             raise SnapshotError("snapshot has more in it than a world")
         check_contents(contents)
     except SnapshotError:
@@ -140,10 +183,13 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     """Make a world what the snapshot says, or raise `SnapshotError` and leave it as it was."""
     contents = read(snapshot)
     arrays = world._arrays
-    kinds = {int(row["id"]): int(row["kind"]) for row in contents.shapes}
-    kinds.update({int(key): Ball._KIND for key in contents.balls["id"]})
+    kinds = dict(zip(contents.shapes["id"].tolist(), contents.shapes["kind"].tolist(), strict=True))
+    kinds.update(dict.fromkeys(contents.balls["id"].tolist(), Ball._KIND))
     left = [member for key, member in list(world._objects.items()) if kinds.get(key) != member._KIND]
     world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
+    shapes = arrays.shapes.used
+    alike = all(np.array_equal(shapes[field], contents.shapes[field]) for field in ("id", "kind"))
+    alike = alike and header_of(world) == contents.header
     for member in left:
         member._leave()
     fill(arrays, contents)
@@ -152,15 +198,17 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     world._lent = None
     world._left = contents.balls[:0].copy()
     world._forget_block()
-    _restore_objects(world, contents, left)
+    if not alike:
+        _restore_objects(world, contents, left)
 
 
 def fill(arrays: Arrays, contents: Contents) -> None:
     """Make tables what the contents say."""
     arrays.fill(contents.balls, contents.shapes)
     arrays.states[0] = contents.state[0]
-    arrays.hits = np.concatenate([contents.hits, np.zeros(64, HIT)])
-    arrays.states[0]["hits"] = len(contents.hits)
+    count = len(contents.hits)
+    arrays.hits = grown(contents.hits, count + 64, count)
+    arrays.states[0]["hits"] = count
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
     _keep_saved(arrays, contents.courses)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isclose
 from typing import Any, cast
 
@@ -21,6 +22,7 @@ from carom.rows.state import DISCRETE, STATE
 from carom.rows.tables import Rows
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.compound import Compound
+from carom.shapes.table import word_of
 from carom.world.kernels.step.relations import is_of_balls
 from carom.world.removal import Relation
 from carom.world.settings import SETTINGS, Settings
@@ -34,6 +36,13 @@ KEPT = (
 
 #: The others only say how its tables stand, or where an unfinished step is; a snapshot leaves them at 0.
 DERIVED = tuple(name for name in STATE.names or () if name not in KEPT)
+
+
+#: The words of 64 bits of a shape's row that are floats.
+FLOATS = [word_of(SHAPE, field) for field in SHAPE.names or () if SHAPE[field].kind == "f"]
+
+#: Rows of shapes of which it is kept whether they agree: most shapes are the same in one snapshot after the other.
+ROWS_KEPT = 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,9 +122,8 @@ def _check_shapes(shapes: Rows) -> None:
     """Raise where a shape is none that constructors and setters let through."""
     kinds, motions = shapes["kind"], shapes["motion"]
     need(np.isin(kinds, tuple(SHAPE_CLASSES)).all() and (motions <= KINEMATIC).all(), "shapes of unknown kinds")
-    for field in SHAPE.names or ():
-        if shapes[field].dtype.kind == "f":
-            need(np.isfinite(shapes[field]).all(), "shapes that are not finite")
+    words = shapes.view(np.float64).reshape(len(shapes), SHAPE.itemsize // 8)
+    need(np.isfinite(words[:, FLOATS]).all(), "shapes that are not finite")
     for field in ("sensor", "can_collide", "solid", "rotating", "turn_limited", "once"):
         need((shapes[field] <= 1).all(), "shapes with bad switches")
     need((shapes["elasticity"] >= 0.0).all() and (shapes["kick"] >= 0.0).all(), "shapes with a bad elasticity or kick")
@@ -133,15 +141,18 @@ def _check_shapes(shapes: Rows) -> None:
     for field in ("start_angle", "end_angle", "initial_start_angle", "initial_end_angle"):
         need(((arcs[field] >= 0.0) & (arcs[field] < TWO_PI)).all(), "arcs with bad angles")
     need((arcs["initial_start_angle"] != arcs["initial_end_angle"]).all(), "arcs of no length")
-    need(all(map(_agrees, shapes.tolist())), "shapes whose parts do not agree")
+    data = shapes.tobytes()
+    rows = (data[at : at + SHAPE.itemsize] for at in range(0, len(data), SHAPE.itemsize))
+    need(all(map(_agrees, rows)), "shapes whose parts do not agree")
 
 
-def _agrees(values: tuple[Any, ...]) -> bool:
-    """Whether what follows from a shape's geometry (ends, tangent, middle, box) is what its row says.
+@lru_cache(ROWS_KEPT)
+def _agrees(data: bytes) -> bool:
+    """Whether what follows from a shape's geometry (ends, tangent, middle, box) is what its row, as bytes, says.
 
     Not to the bit: on another machine sines and cosines may have other last digits.
     """
-    row = dict(zip(SHAPE.names or (), values, strict=True))
+    row = dict(zip(SHAPE.names or (), np.frombuffer(data, SHAPE)[0].item(), strict=True))
     derived = dict(row)
     derive(cast(ShapeRow, derived))
     size = max(abs(row[field]) for field in ("left", "bottom", "right", "top", "radius", "length"))
@@ -193,7 +204,8 @@ def _check_header(contents: Contents) -> None:
     """Raise where names, compounds or groups are of what is not there."""
     header = contents.header
     need(set(header) == {"names", "compounds", "groups"}, "another header")
-    shapes = {int(row["id"]): (int(row["kind"]), int(row["motion"])) for row in contents.shapes}
+    ids, kinds, motions = (contents.shapes[field].tolist() for field in ("id", "kind", "motion"))
+    shapes = dict(zip(ids, zip(kinds, motions, strict=True), strict=True))
     known = {str(key) for key in (*shapes, *contents.balls["id"].tolist())}
     need(set(header["names"]) <= known, "names of nothing")
     need(all(isinstance(name, str) for name in header["names"].values()), "names that are no text")
@@ -216,6 +228,8 @@ def _check_header(contents: Contents) -> None:
 
 def _check_surface(surface: dict[str, Any]) -> None:
     """Raise where what was set for all parts of a compound or group cannot be."""
+    if surface == {}:
+        return
     probe = Compound([], (0.0, 0.0))
     try:
         for name, value in surface.items():

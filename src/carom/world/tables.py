@@ -47,15 +47,22 @@ class WorldTable(RowTable[R]):
         """The rows in use."""
         return self.rows[: self.count]
 
-    def index(self, owner: Owner) -> int:
-        """The index of `owner`'s row; remembered, and looked up again where rows have moved."""
-        index = owner._index
+    def at(self, owner: Owner) -> int:
+        """The word at which `owner`'s row begins; remembered, and looked up again where rows have moved."""
         if self._seen is not self.rows:
             self._look()
-        if not (0 <= index < self.count and self._whole[index * self._width + self._id] == owner._id):
-            index = self.find(owner._id)
-            owner._index = index
-        return index
+        index = owner._index
+        at = index * self._width
+        if 0 <= index < self.count and self.whole[at + self._id] == owner._id:
+            return at
+        owner._index = index = self.find(owner._id)
+        return index * self._width
+
+    def id_at(self, index: int) -> int:
+        """The id of the row with an index, which must be in use."""
+        if self._seen is not self.rows:
+            self._look()
+        return self.whole[index * self._width + self._id]
 
     def find(self, member_id: int | None) -> int:
         """The index of the row with an id; raises `InvalidArgument` where there is none."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from carom.checks import refuse
 from carom.rows.ball import BALL
 from carom.rows.state import DISCRETE
+from carom.shapes.assembly import Assembly
 from carom.shapes.compound import Compound
 from carom.shapes.group import Group
 from carom.shapes.shape import Shape
@@ -43,10 +44,14 @@ class Balls(Sequence["Ball"]):
     @overload
     def __getitem__(self, index: slice) -> list[Ball]: ...
     def __getitem__(self, index: int | slice) -> Ball | list[Ball]:
-        ids = self.id
+        world = self._world
         if isinstance(index, slice):
-            return [self._world._ball_of(int(ball)) for ball in ids[index]]
-        return self._world._ball_of(int(ids[index]))
+            return [world._ball_of(ball) for ball in self.id[index].tolist()]
+        table = world._arrays.balls
+        count = table.count
+        if type(index) is int and -count <= index < count:
+            return world._ball_of(table.id_at(index if index >= 0 else index + count))
+        return world._ball_of(int(self.id[index]))
 
     def __iter__(self) -> Iterator[Ball]:
         for ball in self.id.copy():
@@ -224,9 +229,9 @@ class Shapes(Sequence["Shape | Compound | Group"]):
         return iter(self._world._list()[:])
 
     def __contains__(self, shape: object) -> bool:
-        if isinstance(shape, Compound | Group):
-            return shape.world is self._world
-        return isinstance(shape, Shape) and shape.world is self._world and shape._whole is None
+        if isinstance(shape, Shape):
+            return shape._world is self._world and shape._whole is None
+        return isinstance(shape, Assembly) and shape._world is self._world
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"

@@ -14,6 +14,7 @@ from carom.compiler.door import At
 from carom.compiler.kernels import Kernel
 from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
+from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
 from carom.spelling import Spelled, spelled
@@ -262,7 +263,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def _take_hits(self) -> Hits:
         """A copy of the hits recorded so far, in order of time, which are then forgotten."""
         count = self._words[HITS]
-        rows = Hits.of_bytes(self, self._arrays.hit_bytes(count))
+        rows = Hits((count,), HIT, self._arrays.hit_bytes(count))
+        rows._link = self._link
         self._words[HITS] = 0
         # A ball in flight finds out that it has left a sensor only later.
         if count > 1 and (np.diff(rows["time"]) < 0.0).any():

@@ -51,24 +51,29 @@ def test_fields_are_put_into_a_row_by_name() -> None:
     assert (row["x"], row["y"], row["mass"]) == (2.0, 0.0, 5.0)
 
 
-def test_pairs_are_read_and_written_as_fields_are() -> None:
+def test_words_are_read_and_written_as_fields_are() -> None:
     table = RowTable(np.zeros(3, BALL))
     owner, word = Owner(1), word_of(BALL, "vx")
-    table.rows["vx"], table.rows["vy"] = [1, 2, 3], [4, 5, 6]
-    assert table.pair(owner, word) == (2.0, 5.0)
-    table.put_pair(owner, word, -0.5, 1e300)
-    assert (table.rows["vx"].tolist(), table.rows["vy"].tolist()) == ([1, -0.5, 3], [4, 1e300, 6])
-    assert all(table.rows[field].tolist() == [0, 0, 0] for field in ("x", "y", "radius"))
+    table.rows["vx"], table.rows["id"], table.rows["sensor"] = [1, 2, 3], [4, 5, 6], [0, 1, 0]
+    at = table.at(owner)
+    assert (table.floats[at + word], table.whole[at + word_of(BALL, "id")]) == (2.0, 5)
+    assert table.octets[8 * at + BALL.fields["sensor"][1]] == 1
+    table.floats[at + word] = -0.5
+    assert table.rows["vx"].tolist() == [1, -0.5, 3]
+    assert all(table.rows[field].tolist() == [0, 0, 0] for field in ("x", "y", "vy", "radius"))
 
 
-def test_pairs_are_those_of_the_rows_that_are_there_now() -> None:
+def test_words_are_those_of_the_rows_that_are_there_now() -> None:
     table = RowTable(np.zeros(2, BALL))
-    owner, word = Owner(0), word_of(BALL, "x")
-    assert table.pair(owner, word) == (0.0, 0.0)
+    owner = Owner(0)
+    at = table.at(owner)
+    assert table.floats[at] == 0.0
     table.rows = np.ones(2, BALL)
-    assert table.pair(owner, word) == (1.0, 1.0)
+    at = table.at(owner)
+    assert table.floats[at] == 1.0
     table.rows = np.full(2, 2, BALL)
-    table.put_pair(owner, word, 3.0, 4.0)
+    at = table.at(owner)
+    table.floats[at], table.floats[at + 1] = 3.0, 4.0
     assert (table.rows["x"].tolist(), table.rows["y"].tolist()) == ([3, 2], [4, 2])
 
 

@@ -95,6 +95,15 @@ def test_a_meeting_ends_a_run_once_a_ball_bounces_or_comes_in(name: str, as_obje
     assert round(world.time / DT) == steps
 
 
+def test_a_compound_is_found_by_its_name_after_a_restoring() -> None:
+    world = carom.World()
+    bar = world.add(carom.Compound([carom.Segment((-1, 0), (1, 0))], (0, 0), name="bar"))
+    world.add(carom.Ball((0, 1), 0.1, velocity=(0, -5)))
+    world.restore(world.snapshot())
+    hits = world.run(1.0, until="bar")
+    assert [hit.shape for hit in hits] == [bar.shapes[0]]
+
+
 def test_leaving_a_sensor_is_not_meeting_it() -> None:
     world = carom.World()
     eye = world.add(carom.Circle((0, 0), 1, sensor=True, solid=True))

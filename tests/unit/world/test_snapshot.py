@@ -1,10 +1,14 @@
 """`snapshot`, `restore`, `digest`, copies: the very same world again, with the objects that were there."""
 
+import io
+import json
 from typing import Any
 
+import numpy as np
 import pytest
 
 import carom
+from carom.shapes.shape import Shape
 from tests import fresh
 from tests.worlds import bits, busy, crowded, named, quiet
 
@@ -325,6 +329,41 @@ def test_what_is_no_snapshot_is_refused(given: Any) -> None:
     with pytest.raises(carom.SnapshotError, match="snapshot"):
         world.restore(given)
     assert state_of(world) == before
+
+
+def test_what_a_world_does_after_a_restore_changes_nothing_of_the_next_one() -> None:
+    world = crowded()
+    snapshot, digest = world.snapshot(), world.digest()
+    for _ in range(3):
+        world.restore(snapshot)
+        assert (world.digest(), world.snapshot()) == (digest, snapshot)
+        world.step(1 / 60)
+        world.balls[0].radius *= 0.5
+        world.balls.velocity[:] = 1.0
+        assert world.digest() != digest
+
+
+def test_of_the_same_ids_those_that_are_another_kind_are_made_anew() -> None:
+    points, circles = carom.World(), carom.World()
+    old = points.add(carom.Point((0, 0)), carom.Point((1, 0)))
+    circles.add(carom.Circle((0, 0), 1), carom.Point((1, 0)))
+    points.restore(circles.snapshot())
+    assert [shape.kind for shape in points.shapes] == ["circle", "point"]
+    assert points.shapes[1] is old[1]
+    assert old[0].world is None
+    assert points.digest() == circles.digest()
+
+
+def test_its_arrays_are_in_numpys_file_format() -> None:
+    world = crowded()
+    file = io.BytesIO(world.snapshot().split(b"\n", 1)[1][16:])
+    text, state, balls, shapes, *others = [np.load(file) for _ in range(7)]
+    assert set(json.loads(text.tobytes())) == {"names", "compounds", "groups"}
+    assert float(state["time"][0]) == world.time
+    assert balls["x"].tolist() == world.balls.position[:, 0].tolist()
+    assert shapes["id"].tolist() == sorted(key for key, member in world._objects.items() if isinstance(member, Shape))
+    assert len(others) == 3
+    assert file.read() == b""
 
 
 def test_buffers_of_bytes_are_taken() -> None:

@@ -112,6 +112,44 @@ def test_shapes_may_be_added_and_taken_out_while_they_are_walked() -> None:
     assert not any(point in world.shapes for point in points)
 
 
+@pytest.mark.parametrize("leaving", [1, 2, 63, 64, 65, 150])
+def test_of_few_or_many_that_leave_together_the_others_stay_listed_in_their_order(leaving: int) -> None:
+    world = carom.World()
+    given: list[carom.Point | carom.Group] = []
+    for n in range(100):
+        point, group = carom.Point((n, 0)), carom.Group([carom.Point((n, 1)), carom.Point((n, 2))])
+        given += world.add(group, point)
+    assert list(world.shapes) == given
+    chance = random.Random(leaving)
+    gone = chance.sample(given, leaving)
+    world.remove(*gone)
+    given = [shape for shape in given if shape not in gone]
+    assert [world.shapes[n] for n in range(-len(given), len(given))] == given * 2
+    host = next(shape for shape in given if isinstance(shape, carom.Group))
+    joining = next(shape for shape in given if isinstance(shape, carom.Point))
+    host.add(joining)
+    given.remove(joining)
+    assert list(world.shapes) == given
+
+
+def test_the_list_of_many_shapes_is_not_made_anew_for_one_that_leaves() -> None:
+    world = carom.World()
+    points = world.add(*(carom.Point((n, 0)) for n in range(10)))
+    assert world.shapes[3] is points[3]
+    listed = world._listed
+    world.remove(points[3])
+    assert world.shapes[3] is points[4]
+    assert world._listed is listed
+
+
+def test_places_of_balls_are_whole_numbers_within_their_count() -> None:
+    balls = filled(3).balls
+    assert [balls[np.int64(n)] for n in (-3, 0, 2)] == [balls[n] for n in (-3, 0, 2)]
+    for beyond in (3, -4):
+        with pytest.raises(IndexError, match=f"index {beyond} is out of bounds"):
+            balls[beyond]
+
+
 def test_finding_a_shape_or_a_ball_takes_no_more_work_among_many() -> None:
     def calls_among(count: int) -> int:
         world = carom.World()
