@@ -8,7 +8,7 @@ import carom
 from tests import fresh
 from tests.worlds import bits
 
-STEPS = 1000
+STEPS = 600
 #: Fewer where a step takes the interpreter long.
 FEWER_STEPS = {"galton": 120, "gas": 80, "pinball": 150}
 

@@ -91,6 +91,7 @@ def test_the_command_is_installed() -> None:
     assert callable(command.load())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "statement",
     [

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Opened = Callable[..., Replay]
 
 
+@pytest.mark.slow
 def test_it_loads_without_a_word_and_without_the_network(opened: Opened) -> None:
     replay = opened(furnished_run())
     assert replay.said == []
@@ -83,6 +84,7 @@ def test_it_plays_in_the_frame_that_notebooks_show(browser: Browser) -> None:
 # -- time --------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_it_plays_pauses_and_plays_again(opened: Opened) -> None:
     replay = opened(furnished_run())
     assert replay.time == 0.0

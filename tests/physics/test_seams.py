@@ -235,6 +235,7 @@ def test_a_ball_rolls_over_a_map_whose_corners_were_rounded(
     assert highest_hop(length, digits, speed, detection) < most
 
 
+@pytest.mark.slow
 def test_bricks_at_default_substeps_do_not_turn_the_ball_of_the_report() -> None:
     for aim in (-0.09, -0.03, 0.0, 0.05, 0.1):
         for slant in (-0.6, 0.0, 0.3):

@@ -233,6 +233,7 @@ def a_pool() -> Game:
     return PoolApp(lambda line: None)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("make", [a_toy, a_pinball, a_pool])
 @pytest.mark.parametrize("seed", range(2))

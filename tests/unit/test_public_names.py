@@ -23,6 +23,7 @@ def test_every_public_name_exists() -> None:
         assert name in dir(carom)
 
 
+@pytest.mark.slow
 def test_pictures_and_studies_need_no_import_of_their_own() -> None:
     program = (
         "import sys, carom; before = set(sys.modules)\n"

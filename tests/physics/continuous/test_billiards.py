@@ -28,6 +28,7 @@ def mean_free_path(shapes: list[carom.Shape], position: Floats, expected: float,
     return steps * length * len(position) / impacts
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_mean_free_path_in_a_stadium() -> None:
     half, radius = 1.5, 1.0
@@ -39,6 +40,7 @@ def test_mean_free_path_in_a_stadium() -> None:
     assert mean_free_path(stadium(half, radius), position, expected, 1) == pytest.approx(expected, rel=0.005)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_mean_free_path_in_a_sinai_table() -> None:
     side, disc = 4.0, 1.0

@@ -35,6 +35,7 @@ def test_the_demonstration_goes_on_until_a_game_is_started(number: int) -> None:
     assert app.game.ball_number == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("number", "side"),
     [(pygame.K_LSHIFT, 0), (pygame.K_z, 0), (pygame.K_RSHIFT, 1), (pygame.K_SLASH, 1)],

@@ -39,6 +39,7 @@ def level(surface: pygame.Surface, area: pygame.Rect) -> int:
 # -- the table ---------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_lamps_that_burn_are_brighter_and_those_that_blink_now_and_then() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -60,6 +61,7 @@ def test_lamps_that_burn_are_brighter_and_those_that_blink_now_and_then() -> Non
     assert seen == [True, False]
 
 
+@pytest.mark.slow
 def test_a_bumper_flashes_when_it_kicks_and_a_slingshot_too() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -73,6 +75,7 @@ def test_a_bumper_flashes_when_it_kicks_and_a_slingshot_too() -> None:
     assert pygame.image.tobytes(drawn(view), "RGB") == pygame.image.tobytes(before, "RGB")
 
 
+@pytest.mark.slow
 def test_flippers_targets_and_plunger_are_seen_where_they_are() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -93,6 +96,7 @@ def test_flippers_targets_and_plunger_are_seen_where_they_are() -> None:
     assert at(before, tip) != at(moved, tip)
 
 
+@pytest.mark.slow
 def test_balls_that_wait_are_seen_behind_the_aprons_window() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -104,6 +108,7 @@ def test_balls_that_wait_are_seen_behind_the_aprons_window() -> None:
     assert len(pictures) == 3
 
 
+@pytest.mark.slow
 def test_hard_impacts_spark_and_points_float_upward() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -123,6 +128,7 @@ def test_hard_impacts_spark_and_points_float_upward() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_fast_ball_has_a_tail() -> None:
     game = begun()
     view = TableView(game, Letters())
@@ -184,6 +190,7 @@ def test_feats_are_announced(event: Event, words: str) -> None:
     assert effects.news is None
 
 
+@pytest.mark.slow
 def test_a_show_of_lamps_runs_over_the_table() -> None:
     game = begun()
     view = TableView(game, Letters())

@@ -34,6 +34,7 @@ def test_wherever_it_is_put_it_lies_on_the_line_clear_of_cushions_and_the_eight(
         assert (pool.setup.cue, pool.shot_from[0], pool.setup.eight) == ((x, y), (x, y), (QUARTER, eight))
 
 
+@pytest.mark.slow
 def test_the_ball_is_dragged_and_no_shot_is_made() -> None:
     player = Player()
     layout, start = player.app.view.layout, player.pool.cue.position

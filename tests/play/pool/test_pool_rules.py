@@ -238,6 +238,7 @@ def test_after_a_cushion_the_line_goes_on_to_the_eight() -> None:
     assert dist(shown.cue.end, pool.eight.position) == pytest.approx(5.715)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_a_shot_is_strong_enough_where_the_line_says_so() -> None:
     pool = Pool(GREEDY)
@@ -404,6 +405,7 @@ def test_positions_are_the_same_for_the_same_seed(monkeypatch: pytest.MonkeyPatc
         assert all(14.0 <= x <= 240.0 and 14.0 <= y <= 113.0 for x, y in (place.cue, place.eight))
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_shots_end_in_the_same_bits() -> None:
     digests = set()

@@ -32,6 +32,7 @@ def test_few_balls_and_many_are_measured() -> None:
     assert chart.measured_of(100) > chart.measured_of(10_000) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", [".svg", ".png"])
 def test_a_chart_is_written_and_its_figures_are_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str

@@ -94,6 +94,7 @@ def test_no_frame_goes_by_in_a_pause_but_for_single_steps() -> None:
     assert desk.tables[0].world.time == STEP
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])
 def test_no_ball_of_a_hundred_is_lost(detection: str) -> None:

@@ -61,6 +61,7 @@ def test_time_stands_still_while_the_table_is_edited(player: Player) -> None:
     assert player.world.time > before
 
 
+@pytest.mark.slow
 def test_what_is_pointed_at_turns_by_wheel_and_keys(player: Player) -> None:
     player.key(pygame.K_e)
     shelf = shape_of(player, "shelf")
@@ -176,6 +177,7 @@ def test_a_part_is_dragged_with_all_of_its_compound(player: Player) -> None:
     assert paddle.position == pytest.approx((24.0, 13.5), abs=0.06)
 
 
+@pytest.mark.slow
 def test_a_table_is_kept_as_a_scene_file_and_said_where(
     player: Player, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -82,6 +82,7 @@ def test_a_misspelt_value_is_told_with_the_one_that_was_meant(
     assert told(capsys, command, "toy", option, "qqq").endswith(f"; there are {', '.join(values)}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["run", "show", "check"])
 def test_a_misspelt_scene_is_told_with_the_one_that_was_meant(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     for name in carom.scenes.names():

@@ -90,6 +90,7 @@ def test_any_world_has_a_picture_of_ordinary_size(world: carom.World) -> None:
     assert "nan" not in draw.svg(picture)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", carom.scenes.names())
 def test_every_shipped_scene_has_a_picture_that_holds_its_panel(name: str) -> None:
     make = getattr(carom.scenes, name)

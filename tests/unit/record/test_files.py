@@ -78,6 +78,7 @@ def test_a_file_that_is_cut_anywhere_is_refused(tmp_path: Path, recording: carom
         assert "is damaged or no recording" in refusal(path)
 
 
+@pytest.mark.slow
 def test_a_file_with_a_flipped_bit_is_refused_or_the_same(tmp_path: Path, recording: carom.Recording) -> None:
     path = tmp_path / "run.carom"
     recording.save(path)
@@ -234,6 +235,7 @@ def test_words_that_are_nested_too_deeply_are_refused(tmp_path: Path, recording:
     assert ("nested too deeply" in refusal(path)) == (levels > 16)
 
 
+@pytest.mark.slow
 def test_a_bomb_is_not_set_off(tmp_path: Path) -> None:
     """Words that pack to a thousandth, entries by the hundred thousand: refused before they are unpacked."""
     words, entries = tmp_path / "words.carom", tmp_path / "entries.carom"

@@ -34,6 +34,7 @@ MAY_BE_NOTHING = {("stadium", "length"), ("annulus", "offset")}
 ARGUMENTS = [(name, argument) for name in NAMES for argument in inspect.signature(getattr(scenes, name)).parameters]
 
 
+@pytest.mark.slow
 def test_all_are_listed_and_found_by_name() -> None:
     assert scenes.names() == NAMES == tuple(scenes.__all__)
     for name in NAMES:

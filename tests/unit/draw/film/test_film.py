@@ -11,6 +11,7 @@ from carom import draw
 pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')
 
 
+@pytest.mark.slow
 def test_a_frame_is_the_same_whatever_came_before(recording: carom.Recording) -> None:
     film = draw.Film(recording, layers=list(draw.Layer), size=(700, 560))
     first = film.rgb(45)

@@ -77,6 +77,7 @@ def test_mistakes_are_named_with_their_place(data: str, message: str) -> None:
         pieces_of(data)
 
 
+@pytest.mark.slow
 def test_long_data_takes_no_longer_than_it_is_long() -> None:
     with within(20.0):
         assert len(one("M0 0" + "l1 1" * 20_000)) == 20_000

@@ -62,7 +62,7 @@ def of_all(arrays: Arrays) -> tuple[int, float, float, int]:
 @pytest.mark.parametrize("speed", [0.1, 5.0, 1e6])
 def test_cell_by_cell_is_found_what_asking_all_finds_to_the_bit(gravity: tuple[float, float], speed: float) -> None:
     seen = 0
-    for angle in np.linspace(0, 2 * pi, 16, endpoint=False):
+    for angle in np.linspace(0, 2 * pi, 8, endpoint=False):
         for place in ((10.6, 10.4), (10.5 - 60 * cos(angle), 10.5 - 60 * sin(angle))):
             ball = Ball(place, 0.2, velocity=(speed * cos(angle), speed * sin(angle)))
             arrays = forest(ball, gravity)
@@ -72,7 +72,7 @@ def test_cell_by_cell_is_found_what_asking_all_finds_to_the_bit(gravity: tuple[f
                 seen += 1
                 for share in (0.2, 0.7, 0.999):
                     assert on_way(arrays, share * expected[1]) == expected
-    assert seen > 10
+    assert seen > 5
 
 
 def test_a_ball_outside_of_all_cells_is_followed_from_where_it_comes_in() -> None:
