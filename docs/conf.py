@@ -22,9 +22,10 @@ extensions = [
     "sphinx.ext.napoleon",
     "myst_nb",
     "sphinx_gallery.gen_gallery",
-    "mathml",  # the three of docs/extensions
+    "mathml",  # the four of docs/extensions
     "drawings",
     "pages",
+    "runs",
 ]
 exclude_patterns = ["_build", "pictures/README.md", "gallery/*.ipynb", "gallery/*.py"]
 default_role = "code"

@@ -35,13 +35,42 @@ def test_it_loads_without_a_word_and_without_the_network(opened: Opened) -> None
 
 
 @pytest.mark.slow
+def test_a_question_mark_lists_every_key_that_does_something(opened: Opened) -> None:
+    replay = opened(furnished_run())
+    replay.page.keyboard.press("?")
+    assert replay.page.is_visible("#keys")
+    listed = set(replay("[...document.querySelectorAll('#keys kbd')].map((key) => key.textContent)"))
+    assert listed == {"space", "←", "→", "P", "N", "Home", "End", "[", "]", "+", "−", "0", "T", "?"}
+    for hide in ("?", "Escape"):
+        replay.page.keyboard.press(hide)
+        assert not replay.page.is_visible("#keys")
+        replay.page.click("#help")
+        assert replay.page.is_visible("#keys")
+    replay.page.click("#keys h2")
+    assert not replay.page.is_visible("#keys")
+    assert replay.said == []
+
+
+@pytest.mark.slow
+def test_with_play_behind_its_address_it_begins_by_itself_but_for_who_wants_no_motion(opened: Opened) -> None:
+    replay = opened(furnished_run())
+    assert not replay("replay.player.playing")
+    replay.page.goto(f"{replay.page.url}#play")
+    for motion in ("no-preference", "reduce"):
+        replay.page.emulate_media(reduced_motion=motion)  # type: ignore[arg-type]
+        replay.page.reload()
+        replay.page.wait_for_selector("html[data-ready]", state="attached")
+        assert replay("replay.player.playing") == (motion != "reduce")
+    assert replay.time == 0.0
+
+
+@pytest.mark.slow
 def test_it_may_not_use_the_network_even_if_it_tried(opened: Opened) -> None:
     replay = opened(furnished_run())
     tried = "fetch('data:text/plain,words').then(() => 'loaded', () => 'refused')"
     assert replay(tried) == "refused"
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize("name", bare_runs())
 def test_every_run_is_shown_without_a_word(opened: Opened, name: str) -> None:
@@ -304,7 +333,6 @@ def test_names_stay_text(opened: Opened) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.slow
 @pytest.mark.parametrize("layer", Layer)
 def test_every_layer_can_be_switched(opened: Opened, layer: Layer) -> None:
     replay = opened(furnished_run())
@@ -330,7 +358,6 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
     assert dark.pixel(*corner) == "#fffefb"
 
 
-@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("width", "height"),

@@ -149,6 +149,16 @@ def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
         yield from _models_in(part)
 
 
+def field_of(details: ErrorDetails) -> int | str | None:
+    """The field of the model that a fault is in; None where it is in no one."""
+    return details["loc"][0] if details["loc"] else None
+
+
+def is_elsewhere(field: str, details: ErrorDetails) -> bool:
+    """Whether a fault is in another field."""
+    return field_of(details) != field
+
+
 def is_unknown(details: ErrorDetails) -> bool:
     """Whether what is wrong is a name at the top of the scene that there is not."""
     return details["type"] == "extra_forbidden" and len(details["loc"]) == 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -17,7 +18,7 @@ from carom.scene.capture import described_world
 from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.reading import ENDINGS, is_drawing, read_drawing
-from carom.scene.faults import Faults, is_unknown
+from carom.scene.faults import Faults, field_of, is_elsewhere, is_unknown
 from carom.scene.fields import Text
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.scene.guarding import guarded
@@ -72,7 +73,9 @@ class Scene(Descriptor, Pictured):
         try:
             BaseModel.__init__(self, **{name: value for name, value in table.items() if name not in lists})
         except ValidationError as error:
-            faults.add(error, unless=is_unknown)
+            faults.add(error, unless=lambda details: is_unknown(details) or field_of(details) in LISTS)
+            for field, found in in_lists.items():  # one that is no list is told in its place among them
+                found.add(error, unless=partial(is_elsewhere, field))
             unknown.add(error, unless=lambda details: not is_unknown(details))
         faults.join(*in_lists.values(), unknown)
         if faults.count:

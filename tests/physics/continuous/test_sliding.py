@@ -26,7 +26,6 @@ def run_within_clock(world: World, seconds: float, steps: int) -> None:
 
 
 @pytest.mark.compiled
-@pytest.mark.compiled
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9, 1.0])
 @pytest.mark.parametrize("spin", [0.0, 1e-3, 1.0, 30.0])
 @pytest.mark.parametrize("scale", [1.0, *(pytest.param(scale, marks=pytest.mark.slow) for scale in (1e-3, 1e3))])
@@ -45,7 +44,6 @@ def test_a_ball_in_a_ring_that_turns_keeps_its_energy(
     assert hypot(*ball.position) <= (2.7 + 1e-3 * 0.3) * scale
 
 
-@pytest.mark.compiled
 @pytest.mark.compiled
 @pytest.mark.parametrize("elasticity", [0.0, 0.5, 0.9, 1.0])
 @pytest.mark.parametrize("spin", [0.0, 1.0, -30.0])

@@ -68,8 +68,8 @@ def test_the_first_faults_are_told_and_all_are_counted(kind: str, count: int) ->
     with pytest.raises(carom.SceneError) as caught:
         carom.Scene(**table)
     heading, *lines = str(caught.value).split("\n  ")
-    before = ["version: must be 1, not 2", "balls: must be a list, not 3"] if kind == "lists" else []
-    after = ["colour: is unknown"] if kind == "lists" else []
+    before = ["version: must be 1, not 2"] if kind == "lists" else []
+    after = ["balls: must be a list, not 3", "colour: is unknown"] if kind == "lists" else []
     faults = [*before, *[f"{path.format(1 + number)}: must be positive, not -1" for number in range(count)], *after]
     if len(faults) == 1:
         assert [heading, *lines] == faults

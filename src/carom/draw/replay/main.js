@@ -71,11 +71,13 @@ class Page {
       "zoom-out": () => this.fingers.zoom(1 / 1.5),
       fit: () => this.fingers.fit(),
       theme: () => this.useTheme(this.theme === "dark" ? "light" : "dark"),
+      help: () => this.toggleKeys(),
     };
     for (const [id, action] of Object.entries(press)) element(id).addEventListener("click", action);
     for (const tab of document.querySelectorAll("[role=tab]")) {
       tab.addEventListener("click", () => this.openTab(tab.id.slice("tab-".length)));
     }
+    element("keys").addEventListener("click", () => this.toggleKeys());
     element("speed").addEventListener("change", (event) => (this.player.speed = Number(event.target.value)));
     this.connectKeys(press);
   }
@@ -96,9 +98,17 @@ class Page {
       "-": press["zoom-out"],
       0: press.fit,
       t: press.theme,
+      "?": press.help,
       "[": () => this.changeSpeed(-1),
       "]": () => this.changeSpeed(1),
     });
+  }
+
+  /** Shows the list of keys, or hides it; Escape and a click hide it too. */
+  toggleKeys() {
+    const keys = element("keys");
+    if (keys.open) keys.close();
+    else keys.showModal();
   }
 
   // -- time -----------------------------------------------------------------------------------------------------------
@@ -260,6 +270,8 @@ try {
   const run = await readRun(JSON.parse(element("run").textContent));
   // For those who look inside: the page's whole state, from the console.
   window.replay = new Page(run);
+  const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (location.hash === "#play" && !still) window.replay.player.play();
   document.documentElement.dataset.ready = "yes";
 } catch (error) {
   const trouble = element("trouble");
