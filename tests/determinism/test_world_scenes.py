@@ -10,7 +10,7 @@ from tests.worlds import bits
 
 STEPS = 600
 #: Fewer where a step takes the interpreter long.
-FEWER_STEPS = {"galton": 120, "gas": 80, "pinball": 150}
+FEWER_STEPS = {"galton": 60, "gas": 80, "pinball": 150}
 
 #: Fewer balls where a scene has many, and walls. A heap takes the interpreter minutes: on the board there are fewer.
 FEWER = {"ellipse": {"tolerance": 1e-6}, "galton": {"balls": 30}, "gas": {"balls": 100}}
