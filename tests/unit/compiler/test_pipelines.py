@@ -23,11 +23,13 @@ def kernel(x: float) -> float:
 @pytest.mark.compiled
 def test_callees_are_private_parts_of_their_kernel() -> None:
     numba = pytest.importorskip("numba")
-    from carom.compiler.pipelines import CalleePipeline, KernelPipeline
+    from carom.compiler.cache import uncached
+    from carom.compiler.pipelines import CalleePipeline
 
     for callee in (deepest, deeper):
         numba.extending.register_jitable(pipeline_class=CalleePipeline)(callee)
-    made: Any = numba.njit("f8(f8)", pipeline_class=KernelPipeline)(kernel)
+    made: Any = uncached(numba, kernel)
+    made.compile("f8(f8)")
     assert [made(x) for x in (-1.5, 0.0, 0.7, 1e150)] == [kernel(x) for x in (-1.5, 0.0, 0.7, 1e150)]
     (compiled,) = made.overloads.values()
     shown = [part.name for part in compiled.library.get_defined_functions() if part.linkage.name != "internal"]
