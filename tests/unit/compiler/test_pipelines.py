@@ -20,11 +20,24 @@ def kernel(x: float) -> float:
     return deeper(x) / deepest(3.0)
 
 
+#: A module in which one function calls another, which LLVM must not make part of it.
+MODULE = """
+define linkonce_odr i64 @callee(i64 %x) noinline {
+ %y = mul i64 %x, 3
+ ret i64 %y
+}
+define i64 @caller(i64 %x) {
+ %y = call i64 @callee(i64 %x)
+ ret i64 %y
+}
+"""
+
+
 @pytest.mark.compiled
-def test_callees_are_private_parts_of_their_kernel() -> None:
+def test_a_kernel_and_its_callees_answer_as_the_interpreter_does() -> None:
     numba = pytest.importorskip("numba")
     from carom.compiler.cache import uncached
-    from carom.compiler.pipelines import CalleePipeline
+    from carom.compiler.pipelines import CalleePipeline, KernelLibrary
 
     for callee in (deepest, deeper):
         numba.extending.register_jitable(pipeline_class=CalleePipeline)(callee)
@@ -32,6 +45,27 @@ def test_callees_are_private_parts_of_their_kernel() -> None:
     made.compile("f8(f8)")
     assert [made(x) for x in (-1.5, 0.0, 0.7, 1e150)] == [kernel(x) for x in (-1.5, 0.0, 0.7, 1e150)]
     (compiled,) = made.overloads.values()
-    shown = [part.name for part in compiled.library.get_defined_functions() if part.linkage.name != "internal"]
-    assert shown
-    assert not [name for name in shown if "deep" in name]
+    assert isinstance(compiled.library, KernelLibrary)
+
+
+@pytest.mark.compiled
+def test_callees_are_private_parts_of_a_kernel_and_have_no_code_of_their_own() -> None:
+    pytest.importorskip("numba")
+    from llvmlite import binding
+    from numba.core.compiler_lock import global_compiler_lock
+    from numba.core.registry import cpu_target
+
+    from carom.compiler import pipelines
+
+    made: list[Any] = []
+    for kind in ("Callee", "Kernel"):
+        library: Any = getattr(pipelines, f"{kind}Library")(cpu_target.target_context.codegen(), kind)
+        library.add_llvm_module(binding.parse_assembly(MODULE.replace("@c", f"@{kind}_c")))
+        with global_compiler_lock:
+            library.finalize()
+        made.append(library)
+    callee, caller = made
+    linkages = {part.name: part.linkage.name for part in caller.get_defined_functions()}
+    assert linkages == {"Kernel_callee": "internal", "Kernel_caller": "external"}
+    assert caller.get_pointer_to_function("Kernel_caller")
+    assert not callee.get_pointer_to_function("Callee_caller")
