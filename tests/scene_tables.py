@@ -71,7 +71,8 @@ compound_rails = {name: strategy for name, strategy in rails.items() if name != 
 compounds = tables(
     "compound", {"name": names} | compound_rails, pivot=pairs, shapes=st.lists(parts(surface), max_size=3)
 )
-shapes = st.one_of(parts(surface), parts(surface | rails).map(turning), compounds)
+groups = tables("group", {"name": names}, shapes=st.lists(parts(surface), min_size=1, max_size=3))
+shapes = st.one_of(parts(surface), parts(surface | rails).map(turning), compounds, groups)
 balls = st.fixed_dictionaries(
     {"position": pairs, "radius": positive},
     optional=colliding | {"mass": positive, "velocity": pairs, "friction": st.one_of(st.none(), st.floats(0.0, 10.0))},

@@ -6,7 +6,7 @@ A block is checked by pydantic. What is wrong in the first ones is told, what is
 from __future__ import annotations
 
 from functools import cache
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import BeforeValidator, Field, TypeAdapter, ValidationError
 
@@ -15,6 +15,9 @@ from carom.scene.capture import described_all
 from carom.scene.descriptors import BallDescriptor
 from carom.scene.faults import Faults, path_of
 from carom.scene.shape_descriptors import CompoundDescriptor, GroupDescriptor, Part, PartList
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 ShapeList = Annotated[
     tuple[Annotated[Part | CompoundDescriptor | GroupDescriptor, Field(discriminator="kind")], ...],
@@ -27,6 +30,12 @@ LISTS = ("shapes", "balls")
 
 #: Items in a block.
 BLOCK = 500
+
+#: What holds a list of parts.
+ASSEMBLIES: dict[str, type[CompoundDescriptor | GroupDescriptor]] = {
+    "compound": CompoundDescriptor,
+    "group": GroupDescriptor,
+}
 
 Path = tuple[int | str, ...]
 
@@ -51,33 +60,63 @@ def _adapter(field: str) -> TypeAdapter[tuple[Any, ...]]:
 def _checked(
     adapter: TypeAdapter[tuple[Any, ...]], given: list[Any] | tuple[Any, ...], path: Path, faults: Faults
 ) -> tuple[Any, ...]:
-    """The descriptors of a list at `path`, checked block by block."""
+    """The descriptors of a list at `path`, checked block by block; an item with faults of its own ends its block."""
     made: list[Any] = []
-    for start in range(0, len(given), BLOCK):
-        found, block = Faults(faults.model), []
-        for place, item in enumerate(given[start : start + BLOCK], start):
-            block.append(_unpacked(item, (*path, place), found))
-        try:
-            made += adapter.validate_python(block)
-        except ValidationError as error:
-            faults.add(error, *path, start)
-        faults.join(found)
+    block: list[Any] = []
+    for place, item in enumerate(given):
+        in_parts, in_names = Faults(faults.model), Faults(faults.model)
+        block.append(_unpacked(item, (*path, place), in_parts, in_names))
+        if len(block) == BLOCK or place + 1 == len(given) or in_parts.count or in_names.count:
+            made += _checked_block(adapter, block, (*path, place + 1 - len(block)), faults, in_parts)
+            faults.join(in_names)
+            block = []
     return tuple(made)
 
 
-def _unpacked(item: Any, path: Path, faults: Faults) -> Any:
+def _checked_block(
+    adapter: TypeAdapter[tuple[Any, ...]], block: list[Any], path: Path, faults: Faults, in_parts: Faults
+) -> tuple[Any, ...]:
+    """The descriptors of a block whose first item is at `path`; `in_parts` are the faults in the last one's parts.
+
+    Those stand where pydantic would tell them: after the faults of the fields that come first, before those of others.
+    """
+    try:
+        made = adapter.validate_python(block)
+    except ValidationError as error:
+        last = len(block) - 1 if in_parts.count else None
+        faults.add(error, *path, unless=lambda details: _side_of_parts(details, last) != "before")
+        faults.join(in_parts)
+        faults.add(error, *path, unless=lambda details: _side_of_parts(details, last) != "after")
+        return ()
+    faults.join(in_parts)
+    return made
+
+
+def _side_of_parts(details: ErrorDetails, last: int | None) -> str:
+    """Whether a fault in a block stands before the faults that were found in the parts of the `last` item, or after.
+
+    Neither where it says that these parts were left out.
+    """
+    place, *steps = details["loc"]
+    if place != last:
+        return "before"
+    if len(steps) < 2 or steps[1] == "shapes":
+        return "neither"
+    fields = list(ASSEMBLIES[str(steps[0])].model_fields)
+    return "before" if steps[1] in fields[: fields.index("shapes")] else "after"
+
+
+def _unpacked(item: Any, path: Path, in_parts: Faults, in_names: Faults) -> Any:
     """An item, whose own list of parts is checked already if it is long; without strange names if it has too many."""
     if not isinstance(item, dict):
         return item
-    parts = item.get("shapes")
-    if isinstance(parts, (list, tuple)) and len(parts) > BLOCK and item.get("kind") in {"compound", "group"}:
-        found = Faults(faults.model)
-        made = _checked(_adapter("parts"), parts, (*path, item["kind"], "shapes"), found)
-        faults.join(found)
-        item = item | {"shapes": () if found.count else made}
+    kind, parts = item.get("kind"), item.get("shapes")
+    if isinstance(parts, (list, tuple)) and len(parts) > BLOCK and isinstance(kind, str) and kind in ASSEMBLIES:
+        made = _checked(_adapter("parts"), parts, (*path, kind, "shapes"), in_parts)
+        item = item | {"shapes": () if in_parts.count else made}
     wrong = crowd(item)
     if wrong:
-        faults.add_words(path_of(path), wrong)
+        in_names.add_words(path_of(path), wrong)
         known = {"kind", *BallDescriptor.model_fields, *CompoundDescriptor.model_fields}
         return {name: value for name, value in item.items() if name in known}
     return item

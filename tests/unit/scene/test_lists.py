@@ -30,6 +30,28 @@ def test_lists_in_blocks_have_the_faults_that_they_have_as_a_whole(
         assert repr(scene_or_words(carom.Scene, **table)) == repr(whole)
 
 
+@pytest.mark.parametrize("kind", ["compound", "group"])
+def test_faults_of_a_long_list_of_parts_stand_in_their_place(kind: str) -> None:
+    good, bad = ({"kind": "circle", "center": (0, 0), "radius": radius} for radius in (1, -1))
+    pivot = {"pivot": 3} if kind == "compound" else {}
+    parts = [good] * lists.BLOCK + [bad, bad]
+    item = {"kind": kind, "name": 5, **pivot, "colour": 1, "shapes": parts}
+    with pytest.raises(carom.SceneError) as caught:
+        carom.Scene(shapes=[bad, good, item, bad])
+    told = str(caught.value).split("\n  ")[1:]
+    fields = {"compound": ("name", "pivot"), "group": ("name",)}[kind]
+    paths = [f"shapes[2].{field}" for field in fields]
+    paths += [f"shapes[2].shapes[{lists.BLOCK + place}].radius" for place in range(2)]
+    assert [line.split(":")[0] for line in told] == ["shapes[0].radius", *paths, "shapes[2].colour", "shapes[3].radius"]
+
+
+@pytest.mark.parametrize("kind", [[], {}, None, 3])
+def test_a_kind_that_is_no_word(kind: object) -> None:
+    parts = [{"kind": "circle", "center": (0, 0), "radius": 1}] * (lists.BLOCK + 1)
+    with pytest.raises(carom.SceneError, match=r"shapes\[0\]\.kind: "):
+        carom.Scene(shapes=[{"kind": kind, "shapes": parts}])
+
+
 PLACES: dict[str, Any] = {
     "": lambda table: table,
     "world": lambda table: {"world": table},
