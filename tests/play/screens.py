@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from tests.pixels import blocks, pixels, pygame
 
@@ -16,12 +17,16 @@ KEPT = Path(__file__).parent / "kept"
 BLOCK = 6
 #: Levels of 255 by which the mean of a block may differ, and the part of the blocks that may differ by more.
 MOST_LEVELS, MOST_BLOCKS = 20.0, 0.002
+#: Before this version pygame-ce drew letters of another width.
+LETTERS_SINCE = (2, 5, 7)
 #: Bytes that a kept picture may have.
 LARGEST = 160_000
 
 
 def check(name: str, surface: pygame.Surface, *, renew: bool, folder: Path) -> None:
     """Fail unless a screen is the kept one of that name, or keep it if it is to be renewed."""
+    if pygame.version.vernum < LETTERS_SINCE:
+        pytest.skip(f"pygame-ce {pygame.version.ver} draws other letters than those kept")
     half = pygame.transform.smoothscale(surface.convert(24), [side // 2 for side in surface.get_size()])
     path = KEPT / f"{name}.png"
     made = path if renew else folder / f"{name}.png"
