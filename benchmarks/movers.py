@@ -1,6 +1,5 @@
-"""Kinematic shapes of the continuous mode: a paddle in each of many rooms, and shapes that turn or travel far away."""
+"""Kinematic shapes: a paddle in each of many rooms, shapes that turn or travel far away, and the pinball table."""
 
-from collections.abc import Callable
 from math import sqrt
 from statistics import median
 from time import process_time
@@ -11,11 +10,12 @@ import carom
 from benchmarks.common import TURN, Figure
 from benchmarks.engines import CONTINUOUS
 
-TITLE = "Kinematic shapes, continuous: a paddle in each room, and shapes that are far away"
+TITLE = "Kinematic shapes: a paddle in each room, shapes that are far away, and the shipped pinball table"
 STEP = 1.0 / 60.0
 SIDE = 3.0  # of a room
 ROOMS = 2048
 FAR = (1, 100, 10_000)
+ENGINES = {"carom": "discrete", CONTINUOUS: "continuous"}
 #: What kinematic shapes do, as options of a segment.
 MOTIONS = {
     "static": {},
@@ -29,19 +29,20 @@ def run(quick: bool) -> list[Figure]:
     """Microseconds of a ball's step in its room, and of a step of twenty balls, by what the other shapes do."""
     rooms = 64 if quick else ROOMS
     figures = []
-    for motion in MOTIONS:
-        each = 1e6 * seconds_a_step(lambda motion=motion: rooms_of(motion, rooms), quick) / rooms
-        figures.append(Figure(f"{rooms:,} rooms, paddles {motion}", CONTINUOUS, each, "µs a ball and step"))
-    for motion in MOTIONS:
-        for count in FAR[:2] if quick else FAR:
-            each = 1e6 * seconds_a_step(lambda motion=motion, count=count: with_far(motion, count), quick)
-            figures.append(Figure(f"{count:,} shapes far away, {motion}", CONTINUOUS, each, "µs a step"))
+    for engine, detection in ENGINES.items():
+        for motion in MOTIONS:
+            each = 1e6 * seconds_a_step(rooms_of(motion, rooms, detection), quick) / rooms
+            figures.append(Figure(f"{rooms:,} rooms, paddles {motion}", engine, each, "µs a ball and step"))
+        for motion in MOTIONS:
+            for count in FAR[:2] if quick else FAR:
+                each = 1e6 * seconds_a_step(with_far(motion, count, detection), quick)
+                figures.append(Figure(f"{count:,} shapes far away, {motion}", engine, each, "µs a step"))
+        figures.append(Figure("pinball, one ball, 8 substeps", engine, 1e6 * of_pinball(detection, quick), "µs a step"))
     return figures
 
 
-def seconds_a_step(make: Callable[[], carom.World], quick: bool) -> float:
+def seconds_a_step(world: carom.World, quick: bool) -> float:
     """The processor's seconds of a step, the median of some turns."""
-    world = make()
     world.run(2 * STEP, dt=STEP)
     times = []
     for _ in range(2 if quick else 5):
@@ -52,9 +53,22 @@ def seconds_a_step(make: Callable[[], carom.World], quick: bool) -> float:
     return median(times)
 
 
-def rooms_of(motion: str, rooms: int) -> carom.World:
+def of_pinball(detection: str, quick: bool) -> float:
+    """The processor's seconds of a step of the shipped table inside `run`: a wheel turns, the flippers rest."""
+    world = carom.scenes.pinball().build()
+    world.detection = detection
+    world.remove(*list(world.balls)[1:])
+    times = []
+    for _ in range(2 if quick else 9):
+        began = process_time()
+        world.run(200 * STEP, dt=STEP)
+        times.append((process_time() - began) / 200)
+    return median(times)
+
+
+def rooms_of(motion: str, rooms: int, detection: str) -> carom.World:
     """Square rooms beside each other, with a paddle and a ball in each."""
-    world = carom.World(detection="continuous")
+    world = carom.World(detection=detection)
     across = round(sqrt(rooms))
     lines = -(-rooms // across)
     width, height = SIDE * across, SIDE * lines
@@ -68,9 +82,9 @@ def rooms_of(motion: str, rooms: int) -> carom.World:
     return world
 
 
-def with_far(motion: str, count: int) -> carom.World:
+def with_far(motion: str, count: int, detection: str) -> carom.World:
     """A room with twenty balls, and shapes far from it."""
-    world = carom.World(detection="continuous")
+    world = carom.World(detection=detection)
     corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
     world.add(*(carom.Segment(corners[k - 1], corners[k]) for k in range(4)))
     world.add(*(paddle(100.0 + 3.0 * (k % 100), 100.0 + 3.0 * (k // 100), motion) for k in range(count)))

@@ -93,10 +93,13 @@ TREE_COPIES_OF_SHAPES = 3
 INDEX_CELLS_PER_SHAPE = 64
 INDEX_CELLS_MOST = 65536
 
-#: Balls, and kinematic shapes, of which there are few: then these are one cell of their index, which is made anew
-#: whenever they move. Changes the speed alone.
-FEW_BALLS = 8
-FEW_MOVERS = 32
+#: Balls up to this many look at each kinematic shape's box: to file a shape in cells whenever it moves takes as long as
+#: some hundred looks. Changes the speed alone, and the number of box tests.
+FEW_BALLS = 64
+
+#: Balls up to this many are asked whether they are near before a shape that turns is put to where it is. Changes the
+#: speed alone.
+FEW_TO_ASK = 8
 
 #: Times that a ball which shapes push out of its cell goes on with those near its new place, in one iteration; then the
 #: next iteration does. Fewer, and broad phases may differ in which of two shapes pushes a ball first; more, and a world
@@ -177,7 +180,7 @@ BIN_MARGIN = 0.25
 BIN_REACH = 0.5
 
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
-FEW_BALLS = 6
+FEW_FLIGHTS = 6
 
 #: Factor on the way of the balls in a span, far above its rounding (1e-15).
 SWEEP_ROUNDING = 1.000001

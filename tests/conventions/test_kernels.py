@@ -272,3 +272,12 @@ def test_a_field_of_an_argument_may_be_read_and_no_other_attribute() -> None:
 def test_indexing_an_optional_result_is_found() -> None:
     text = "def kernel(x: float) -> float:\n    hit = miss(x)\n    return hit[0]\n"
     assert indexed_results(ast.parse(text), {"miss"}) == ["line 3: hit[0]".replace("0", "...")]
+
+
+def test_every_constant_is_set_once() -> None:
+    (constants,) = (path for path in package_files() if path.name == "constants.py")
+    names = [
+        ast.unparse(target) for node in tree(constants).body if isinstance(node, ast.Assign) for target in node.targets
+    ]
+    assert len(names) > 50
+    assert len(names) == len(set(names))

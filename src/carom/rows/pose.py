@@ -6,7 +6,7 @@ interpreter the numbers are made Python floats when read, so that both give the 
 
 from __future__ import annotations
 
-from math import cos, inf, sin
+from math import cos, fabs, inf, sin
 
 from carom.constants import STOP_MARGIN
 from carom.geometry.aabb import arc_box, circle_box, segment_box
@@ -177,6 +177,16 @@ def is_moving(shape: ShapeRow) -> bool:
     return bool(shape["spin"] != 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0)
 
 
+def is_at_rest(shape: ShapeRow) -> bool:
+    """True if a substep would leave a kinematic shape as it is, bit for bit."""
+    x, y = float(shape["pivot_x"]), float(shape["pivot_y"])
+    turns = shape["spin"] != 0.0 or (shape["rotating"] != 0 and shape["angular_velocity"] != 0.0)
+    travels = shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0 or shape["time_left"] != 0.0
+    stands = shape["orientation"] == shape["orientation_before"]
+    stays = x == shape["pivot_before_x"] and y == shape["pivot_before_y"]
+    return bool(not turns and not travels and stands and stays)
+
+
 def acting_spin(shape: ShapeRow) -> float:
     """The angular velocity that acts now, in rad/s: 0 unless kinematic and rotating, 0 when pressed against a stop."""
     if shape["motion"] != KINEMATIC or not shape["rotating"]:
@@ -236,6 +246,34 @@ def _advance_orientation(shape: ShapeRow, spin: float, h: float) -> None:
             orientation = low
             shape["angular_velocity"] = 0.0
     shape["orientation"] = orientation
+
+
+def turns_only(shape: ShapeRow, h: float) -> bool:
+    """True if all that a shape does in a substep of h seconds is to turn, and it comes to no stop."""
+    if not shape["rotating"] or shape["time_left"] != 0.0:
+        return False
+    spin = float(shape["angular_velocity"])
+    if spin == 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0:
+        return False
+    orientation = float(shape["orientation"]) + spin * h
+    if not shape["turn_limited"]:
+        return True
+    return bool(shape["turn_low"] < orientation < shape["turn_high"])
+
+
+def turn_on(shape: ShapeRow, h: float) -> None:
+    """Turn a shape that only turns for a substep of h seconds; ends and box stay where they were until it is posed."""
+    set_before(shape)
+    shape["spin"] = shape["angular_velocity"]
+    shape["orientation"] = float(shape["orientation"]) + float(shape["spin"]) * h
+
+
+def reach_of(shape: ShapeRow) -> float:
+    """How far from its pivot a shape reaches."""
+    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
+    dx = max(fabs(float(shape["left"]) - px), fabs(float(shape["right"]) - px))
+    dy = max(fabs(float(shape["bottom"]) - py), fabs(float(shape["top"]) - py))
+    return length(dx, dy)
 
 
 def _arrive(shape: ShapeRow) -> None:

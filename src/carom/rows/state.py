@@ -116,7 +116,7 @@ class StateRow(TypedDict):
     valid: f8  # the instant up to which the regions of kinematic shapes hold; infinite if no shape leaves its own
     valid_low: f8
     renewals: i8  # of those regions since the last event
-    movers: i8  # kinematic shapes that move or are sent somewhere, listed in `order` behind all shapes (continuous)
+    movers: i8  # kinematic shapes that do not rest, listed in `order` behind all shapes
     kept_whole: i8  # whether all kinematic shapes were copied when the step began, and not those alone that move
     events: i8  # since the kernel was called
     watched: i8  # one more than the ball whose first impact ends the step; 0 if none's does (continuous)

@@ -179,6 +179,7 @@ class Arrays:
         behind = self.layout.lay(self.shape_table.used, state)
         self.shape_table.reserve(self.shape_table.count + behind)
         self.layout.tell(self.shape_table.rows)
+        state["moving_stale"] = 1
         self._list_movers()
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))

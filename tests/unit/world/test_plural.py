@@ -18,6 +18,7 @@ def kinds(base: type[Plural[Any]] = Plural) -> Iterator[type[Plural[Any]]]:
         yield from kinds(kind)
 
 
+assert carom.Worlds  # what is imported when it is asked for has one too
 KINDS = list(kinds())
 
 

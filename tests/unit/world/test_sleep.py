@@ -147,7 +147,7 @@ def test_a_turning_shape_wakes_the_balls_in_its_way_alone() -> None:
     world.run(0.5, dt=0.125)
     assert world.statistics.sleeping == 2
     row = hand._row
-    row["angular_velocity"] = 4.0  # from within: the setter would wake all
+    row["angular_velocity"], world._states[0]["moving_stale"] = 4.0, 1  # from within: the setter would wake all
     world.step(0.125)
     assert not near.asleep
     assert far.asleep
@@ -159,7 +159,7 @@ def test_a_shape_that_turns_far_in_a_substep_wakes_what_it_sweeps_over() -> None
     ball = world.add(Ball((10.5, 0), radius=1))
     world.run(0.5, dt=0.125)
     assert ball.asleep
-    hand._row["angular_velocity"] = 4 * pi  # to (8, 8), by way of (11.3, 0)
+    hand._row["angular_velocity"], world._states[0]["moving_stale"] = 4 * pi, 1  # to (8, 8), by way of (11.3, 0)
     world.step(0.125)
     assert not ball.asleep
 
@@ -169,7 +169,7 @@ def test_a_travelling_shape_wakes_the_balls_that_it_comes_to() -> None:
     paddle = world.add(Circle((6, 0), 1, solid=True, motion="kinematic"))
     world.run(0.5, dt=0.125)
     assert ball.asleep
-    paddle._row["velocity_x"] = -8.0
+    paddle._row["velocity_x"], world._states[0]["moving_stale"] = -8.0, 1
     world.step(0.125)
     assert ball.asleep
     world.run(0.375, dt=0.125)

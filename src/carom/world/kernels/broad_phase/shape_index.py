@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import fabs, floor, inf, sqrt
 
-from carom.constants import FEW_BALLS, FEW_MOVERS, INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
+from carom.constants import FEW_BALLS, INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
 from carom.rows.ball import BallRow
 from carom.rows.index import NO_CHILD, CellRow, IndexRow
 from carom.rows.kinds_near import distance_to_shape
@@ -90,8 +90,8 @@ def build_index(
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)
     # From here on the fields say where cells and members are, for `locate`.
     side = cell_side(right - left, top - bottom, end - begin, reach)
-    # Where there are few, to make more than one cell whenever they move costs more than it saves.
-    whole = which == MOVING and state["balls"] <= FEW_BALLS and end - begin <= FEW_MOVERS
+    # For few balls, to make more than one cell whenever shapes move costs more than it saves.
+    whole = which == MOVING and state["balls"] <= FEW_BALLS
     if whole:
         side = max(side, INDEX_MARGIN * max(right - left, top - bottom))
     vast = side == inf

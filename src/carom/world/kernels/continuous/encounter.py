@@ -24,7 +24,7 @@ from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import bend_center, lacks_room, lets_pass
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving, surface_velocity
+from carom.rows.pose import is_moving, reach_of, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
@@ -36,7 +36,7 @@ from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, sl
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.continuous.sensing import cross_edge
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame, reach_of
+from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.hits import cross_ball, record_hit
 from carom.world.kernels.step.motion import wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.constants import FEW_BALLS
+from carom.constants import FEW_FLIGHTS
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
@@ -44,7 +44,7 @@ def predict_all(
         flights[i]["place"] = NO_PLACE
         flights[i]["row"] = i
         flights[i]["body"] = 0
-    if state["balls"] > FEW_BALLS and state["bin_levels"] != 0 and not open_bins(state, balls, flights, heads):
+    if state["balls"] > FEW_FLIGHTS and state["bin_levels"] != 0 and not open_bins(state, balls, flights, heads):
         return False
     for i in range(state["balls"]):
         predict_own(state, balls, flights, shapes, order, index, cells, members, relations, i)

@@ -15,7 +15,7 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, reach_of
 from carom.rows.relation import RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
@@ -23,7 +23,7 @@ from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import consider, event_age, path_at, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion, reach_of
+from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion
 from carom.world.kernels.step.relations import is_related
 
 

@@ -14,7 +14,7 @@ from carom.constants import FEW_SHAPES, INDEX_MARGIN, REGION_CELLS, REGION_WAY, 
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, reach_of
 from carom.rows.shape import ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
@@ -32,7 +32,6 @@ from carom.world.kernels.broad_phase.shape_index import (
 )
 from carom.world.kernels.continuous.instants import is_before, later
 from carom.world.kernels.continuous.movers import age_of_mover
-from carom.world.kernels.continuous.surfaces import reach_of
 from carom.world.kernels.step.discrete import rebuild_static
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import cos, fabs, sin
+from math import cos, sin
 
 from carom.constants import END_SLOP
 from carom.geometry.path import Path, Turning
-from carom.geometry.vector import length, rotated
+from carom.geometry.vector import rotated
 from carom.rows.flight import FlightRow
 from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
@@ -22,14 +22,6 @@ def age_of_motion(shape: ShapeRow, flight: FlightRow) -> float:
     return seconds_since(
         float(flight["time"]), float(flight["low"]), float(shape["since"]), float(shape["since_low"])
     )  # fmt: skip
-
-
-def reach_of(shape: ShapeRow) -> float:
-    """How far from its pivot a shape reaches."""
-    px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
-    dx = max(fabs(float(shape["left"]) - px), fabs(float(shape["right"]) - px))
-    dy = max(fabs(float(shape["bottom"]) - py), fabs(float(shape["top"]) - py))
-    return length(dx, dy)
 
 
 def into_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[float, float]:

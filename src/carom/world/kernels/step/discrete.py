@@ -120,7 +120,8 @@ def begin_substep(
         if move_shapes(state, balls, shapes, order, substep_length(state)):
             state["moving_stale"] = 1
         state["stage_entered"] = 1
-        if not shapes_are_sound(shapes, order, int(state["fixed"]), int(state["shapes"])):
+        count = int(state["shapes"])
+        if not shapes_are_sound(shapes, order, count, count + int(state["movers"])):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
     if not rebuild_index(state, balls, shapes, order, shape_index):
@@ -366,7 +367,7 @@ def finish(
             return NEEDS_ROOM
         sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
     finish_substep(state, balls, substep_length(state))
-    for k in range(state["fixed"], state["shapes"]):
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         let_rest(shapes[order[k]])
     state["substep"] += 1
     enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from math import fabs
 
+from carom.constants import FEW_TO_ASK, INDEX_MARGIN
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.pose import advance_pose
-from carom.rows.shape import KINEMATIC, ShapeRow
+from carom.rows.pose import advance_pose, reach_of, turn_on, turns_only
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 
@@ -28,14 +29,18 @@ def move_shapes(
 ) -> bool:
     """Move the kinematic shapes for `duration` seconds and wake the balls in their way; True if any shape moved.
 
-    A shape's way is the box around its box before and after, and as far around that as a turning shape bulges.
+    A shape's way is the box around its box before and after, and as far around that as a turning shape bulges. One that
+    turns far from all of a few balls is put to where it is when it matters: when a ball is near, or the step ends.
     """
     moved = False
-    for k in range(state["fixed"], state["shapes"]):
+    few = state["balls"] <= FEW_TO_ASK and state["sleeping"] == 0 and state["substep"] + 1 < state["substeps"]
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
         left, bottom = float(shape["left"]), float(shape["bottom"])
         right, top = float(shape["right"]), float(shape["top"])
-        if shape["motion"] == KINEMATIC and advance_pose(shape, duration):
+        if few and turns_only(shape, duration) and is_far_from_all(state, balls, shape, duration):
+            turn_on(shape, duration)
+        elif advance_pose(shape, duration):
             moved = True
             # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
@@ -46,6 +51,22 @@ def move_shapes(
                 top = larger(top, float(shape["top"])) + bulge
                 wake_in_box(state, balls, left, bottom, right, top)
     return moved
+
+
+def is_far_from_all(state: StateRow, balls: Table[BallRow], shape: ShapeRow, duration: float) -> bool:
+    """True if no ball comes near the circle that a turning shape stays in, within a substep of `duration` seconds.
+
+    Near is what the ball may fly, and three radii: other shapes and balls push it by less.
+    """
+    x, y = float(shape["pivot_x"]), float(shape["pivot_y"])
+    reach = reach_of(shape) * INDEX_MARGIN
+    pull = length(float(state["gravity_x"]), float(state["gravity_y"])) * duration
+    for i in range(state["balls"]):
+        ball = balls[i]
+        way = (length(float(ball["vx"]), float(ball["vy"])) + pull) * duration
+        if not length(float(ball["x"]) - x, float(ball["y"]) - y) > reach + way + 3.0 * float(ball["radius"]):
+            return False
+    return True
 
 
 def turning_bulge(shape: ShapeRow) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from carom.rows.ball import OF_WORLD, BallRow
+from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
@@ -78,6 +79,7 @@ def begin_step(
     if state["sleeping"] > 0 and state["wake"] == 0 and was_changed(state, balls, saved):
         state["wake"] = 1
     state["step_hits"] = state["hits"]
+    list_restless(state, shapes, order)
     save(states, balls, shapes, order, saved, relations)
     if state["wake"] != 0:
         wake_all(state, balls)
@@ -92,6 +94,23 @@ def begin_step(
     state["stage_entered"] = 0
     state["stage"] = MOVE
     return DONE
+
+
+def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+    """List the kinematic shapes that do not rest in `order`, behind all shapes; a step does nothing to the others.
+
+    Where nothing was set of any of them since the last step, those alone can be in it that were.
+    """
+    count, found = int(state["shapes"]), 0
+    changed = state["moving_stale"] != 0 or state["index_stale"] != 0
+    begin, end = (int(state["fixed"]), count) if changed else (count, count + int(state["movers"]))
+    for k in range(begin, end):
+        shape = shapes[order[k]]
+        # What is not where numbers reach is listed too: the step is refused for it.
+        if not (is_at_rest(shape) and is_in_reach(shape)):
+            order[count + found] = order[k]
+            found += 1
+    state["movers"] = found
 
 
 def was_changed(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> bool:
@@ -128,13 +147,13 @@ def save(
     saved: Table[SavedRow],
     relations: Table[RelationRow],
 ) -> None:
-    """Keep all that a step may change: balls, state, kinematic shapes (behind the shapes), relations (upper half)."""
+    """Keep all that a step may change: balls, state, shapes that move (behind the shapes), relations (upper half)."""
     state = states[0]
     save_balls(state, balls, saved)
-    count, fixed = int(state["shapes"]), int(state["fixed"])
-    for k in range(fixed, count):
-        # Static shapes do not change in a step but by switching themselves off, so they need no copy.
-        shapes[count + k - fixed] = shapes[order[k]]
+    count = int(state["shapes"])
+    for k in range(count, count + state["movers"]):
+        # Others do not change in a step but by switching themselves off, so they need no copy.
+        shapes[k] = shapes[order[k]]
     # The whole pool in use is copied, free rows too: they are linked by their numbers.
     half = len(relations) // 2
     for k in range(state["relations_high"]):
@@ -166,11 +185,13 @@ def roll_back(
         ball["relation"] = kept["relation"]
         ball["asleep"] = kept["asleep"]
         ball["stray"] = kept["stray"]
-    count, fixed = int(state["shapes"]), int(state["fixed"])
-    for k in range(fixed, count):
+    count = int(state["shapes"])
+    for k in range(count, count + state["movers"]):
         sound = is_in_reach(shapes[order[k]])
-        shapes[order[k]] = shapes[count + k - fixed]
-        shapes[count + k - fixed]["once"] = 0 if sound else 1
+        shapes[order[k]] = shapes[k]
+        shapes[k]["once"] = 0 if sound else 1
+    for k in range(count + state["movers"], 2 * count - state["fixed"]):
+        shapes[k]["once"] = 0
     if spent > 0:
         unspend(shapes, count)
     half = len(relations) // 2

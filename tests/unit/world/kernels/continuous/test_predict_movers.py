@@ -10,15 +10,9 @@ import pytest
 from carom import Arc, Ball, Circle, Point, Segment
 from carom.geometry.path import Path
 from carom.rows.flight import HIT_SHAPE, LOOK, NOTHING
-from carom.rows.pose import pose
+from carom.rows.pose import pose, reach_of
 from carom.world.kernels.continuous.flight import event_age, path_of, place_after
-from carom.world.kernels.continuous.predict_movers import (
-    predict_mover,
-    reach_of,
-    seen_from_pivot,
-    slice_length,
-    time_until_near,
-)
+from carom.world.kernels.continuous.predict_movers import predict_mover, seen_from_pivot, slice_length, time_until_near
 from carom.world.kernels.continuous.surfaces import gap_to_shape
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight

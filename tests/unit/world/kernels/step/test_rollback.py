@@ -65,7 +65,8 @@ def test_what_a_step_has_done_is_undone_to_the_bit() -> None:
         balls[field] = random.uniform(-9, 9, len(balls))
     balls["relation"], balls["asleep"], balls["stray"] = -1, 1, 1
     balls["vy"][3] = inf
-    moving = arrays.order[int(state["fixed"]) : int(state["shapes"])]
+    moving = arrays.order[len(shapes) : len(shapes) + state["movers"]]
+    assert 1 < len(moving) < state["shapes"] - state["fixed"]
     shapes["orientation"][moving], shapes["right"][moving[0]] = 7.0, inf
     arrays.relations["kind"][: int(state["relations_high"])] = 99
     state["time"], state["hits"] = 99.0, 5
