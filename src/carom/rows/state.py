@@ -25,6 +25,10 @@ HAS_STRAYS = 5  # balls that left the bounds are to be removed; the step is comp
 PAUSE = 6  # continuous: nothing, but a chance for Ctrl-C; call again
 TOO_MANY_IMPACTS = 7  # continuous: a ball has reached `max_impacts`; the step ends at that instant
 
+# Why the index of all shapes is to be made anew.
+STALE = 1
+OTHER_REACH = 2  # the shapes are as they were, the largest ball is not
+
 # Where a step is; a kernel that ran out of room goes on from here.
 BEGIN = 0
 MOVE = 1
@@ -91,7 +95,7 @@ class StateRow(TypedDict):
     relations_high: i8  # rows of the pool ever used; those above are free
     free_relation: i4  # first of the released rows below `relations_high`, or NO_RELATION
     wake: i4  # something was changed from outside
-    index_stale: i8  # the index of all shapes must be made anew
+    index_stale: i8  # whether the index of all shapes is to be made anew: 0, STALE or OTHER_REACH
     moving_stale: i8  # that of the kinematic shapes must
     taken: i8  # static shapes that are to be taken out of the index, and
     put: i8  # those that are to be put in: `order` names them behind all others, see `patch_index`

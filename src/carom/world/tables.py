@@ -18,7 +18,7 @@ from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import INSIDE_BALL, LYING, RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, SHAPE, STATIC, ShapeRow
-from carom.rows.state import DISCRETE, NEEDS_ROOM, STATE, StateRow
+from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
 from carom.world.layout import Layout
@@ -246,7 +246,7 @@ class Arrays:
             end = int(self.index[1]["members_end"])
             self.members[:end] = np.take(new, self.members[:end], mode="clip")
         else:
-            state["index_stale"], state["taken"], state["put"] = 1, 0, 0
+            state["index_stale"], state["taken"], state["put"] = STALE, 0, 0
         state["shapes"], state["dropped"] = self.shape_table.count, 0
         state["fixed"] = self.shape_table.count - len(self.layout.moving)
         state["foreseen"] = 0

@@ -56,6 +56,8 @@ class CopyHits(OfHits[CopyHit]):
 def gathered(base: World, parts: list[tuple[Rows, Rows]]) -> CopyHits:
     """The hits of some copies from their rows and, for each, the index of its copy."""
     rows: Rows = np.zeros(sum(len(copies) for _, copies in parts), COPY_HIT)
+    if not len(rows):
+        return CopyHits.of(base, rows)
     bytes_of = rows.view(np.uint8).reshape(len(rows), COPY_HIT.itemsize)
     begin = 0
     for hits, copies in parts:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -69,39 +70,39 @@ class Memory:
         part: Rows = self.words.view(np.uint8)[:, begin : begin + count * size].view(dtype)
         return part
 
-    @property
+    @cached_property
     def state(self) -> Rows:
         """The states, of shape (copies,)."""
         return self._part(0, 1, STATE)[:, 0]
 
-    @property
+    @cached_property
     def balls(self) -> Rows:
         """The rows of the balls, of shape (copies, balls)."""
         return self._part(WORD * int(self.layout[0]["balls_at"]), int(self.layout[0]["balls"]), BALL)
 
-    @property
+    @cached_property
     def saved(self) -> Rows:
         """The rows that go with the balls, of shape (copies, balls)."""
         return self._part(WORD * int(self.layout[0]["saved_at"]), int(self.layout[0]["balls"]), SAVED)
 
-    @property
+    @cached_property
     def flights(self) -> Rows:
         """The flights of the balls, of shape (copies, balls); in the discrete mode there are none."""
         count = int(self.layout[0]["balls"]) if self.layout[0]["flights_at"] else 0
         return self._part(WORD * int(self.layout[0]["flights_at"]), count, FLIGHT)
 
-    @property
+    @cached_property
     def moving(self) -> Rows:
         """The rows of the kinematic shapes, of shape (copies, shapes)."""
         return self._part(WORD * int(self.layout[0]["moving_at"]), self.moving_count, SHAPE)
 
-    @property
+    @cached_property
     def switches(self) -> NDArray[np.uint8]:
         """The switches of static shapes that have their own in each copy, of shape (copies, shapes, 2)."""
         part = self._part(int(self.layout[0]["switches_at"]), 2 * self.switched_count, np.uint8)
         return part.reshape(len(part), self.switched_count, 2)
 
-    @property
+    @cached_property
     def in_play(self) -> NDArray[np.bool_]:
         """Whether each ball is in play, of shape (copies, balls)."""
         return self._part(int(self.layout[0]["in_play_at"]), int(self.layout[0]["balls"]), np.bool_)

@@ -130,12 +130,16 @@ class Stage:
 
     def begin(self, first: int, last: int, steps: int, dt: float) -> None:
         """Begin a job: so many steps of the copies from the first to before the last."""
-        job = self.job
-        job["next"], job["end"], job["steps"], job["dt"] = first, last, steps, dt
-        job["last"] = first
-        job["place"], job["written"], job["status"] = TAKE, 0, STEP_DUE
-        job["keep_hits"] = self.common.keep_hits
+        self._jobs[0] = (
+            first, self._end_of_chunk(first, last, steps), last, TAKE, STEP_DUE, steps, dt, 0, self._block.address,
+            self.common.keep_hits, 0, 0,
+        )  # fmt: skip
         self._find_kernels()
+
+    @staticmethod
+    def _end_of_chunk(first: int, last: int, steps: int) -> int:
+        """One more than the last copy of a call that begins with the copy `first`, of a job that ends at `last`."""
+        return min(first + max(1, CHUNK // max(1, steps)), last)
 
     def _find_kernels(self) -> None:
         """Look which kernels are compiled by now."""
@@ -148,9 +152,10 @@ class Stage:
         while not stop.is_set():
             status = self._loop(self._loop_block)
             if status == DONE:
-                if self.job["last"] == self.job["end"]:
+                first, last = int(self.job["next"]), int(self.job["end"])
+                if first == last:
                     return True
-                self.job["last"] = min(self.job["next"] + max(1, CHUNK // max(1, self.job["steps"])), self.job["end"])
+                self.job["last"] = self._end_of_chunk(first, last, int(self.job["steps"]))
             elif status == STEP_DUE:
                 self.job["status"] = self._step(self._block)
                 self._find_kernels()

@@ -21,6 +21,7 @@ class Crew:
     def __init__(self, most: int) -> None:
         self.most = most
         self._pool: ThreadPoolExecutor | None = None
+        self._stop = Event()
 
     def shares(self, count: int) -> list[tuple[int, int]]:
         """The copies of each thread, from the first to before the last."""
@@ -30,7 +31,7 @@ class Crew:
 
     def work(self, stages: Sequence[Stage]) -> bool:
         """True if all stages have done their jobs; False where the memory lacks room for one."""
-        stop = Event()
+        stop = self._stop
         if len(stages) == 1:
             return stages[0].work(stop)
         if self._pool is None:
@@ -43,6 +44,7 @@ class Crew:
             # Nobody may write to the memory any more when this is left.
             stop.set()
             wait(others)
+            self._stop = Event()
             raise
 
 

@@ -194,6 +194,8 @@ class Worlds(Spelled):
     def _tell_faults(self, hits: CopyHits) -> None:
         """Raise where copies were refused in the last call, which is told once: one kind, with notes of the others."""
         faults, count = self._common.faults, len(self)
+        if not faults.any():
+            return
         errors: list[InvalidArgument | NonFiniteState | ImpactLimit] = []
         for status in (NOT_FINITE, REFUSED, TOO_MANY_IMPACTS):
             found = np.flatnonzero(faults == status)
@@ -251,8 +253,9 @@ class Worlds(Spelled):
         if self._lent is not None:
             keeping.wake_changed(memory, self._lent)
             self._lent = keeping.lent_columns(memory)
-        if not np.array_equal(self._in_play, memory.in_play):
-            for copy in np.flatnonzero((self._in_play != memory.in_play).any(axis=1)).tolist():
+        changed = self._in_play != memory.in_play
+        if changed.any():
+            for copy in np.flatnonzero(changed.any(axis=1)).tolist():
                 self._change_play(copy)
 
     def _forget_lent(self) -> None:

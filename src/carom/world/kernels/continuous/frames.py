@@ -22,7 +22,9 @@ from carom.rows.state import (
     NEEDS_ROOM,
     NOT_FINITE,
     NOTE,
+    OTHER_REACH,
     REFUSED,
+    STALE,
     TAKE_UP,
     TOO_MANY_IMPACTS,
     StateRow,
@@ -119,7 +121,8 @@ def refused(state: StateRow, balls: Table[BallRow]) -> int:
         largest = max(largest, float(ball["radius"]))
     if largest > state["reach"] or largest * 4.0 < state["reach"]:
         state["reach"] = largest
-        state["index_stale"] = 1
+        if state["index_stale"] == 0:
+            state["index_stale"] = OTHER_REACH
         state["foreseen"] = 0
     return DONE
 
@@ -417,7 +420,7 @@ def undo(
         show_movers(state, shapes, order)
     state["running"] = 0
     state["foreseen"] = 0
-    state["index_stale"] = 1
+    state["index_stale"] = STALE
 
 
 def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:

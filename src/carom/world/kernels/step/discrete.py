@@ -28,8 +28,10 @@ from carom.rows.state import (
     NEEDS_PAIRS,
     NEEDS_ROOM,
     NOT_FINITE,
+    OTHER_REACH,
     PAIRS,
     SHAPES,
+    STALE,
     StateRow,
 )
 from carom.rows.tables import Pairs, Table
@@ -156,10 +158,15 @@ def rebuild_static(
     """True when the index of the static shapes is right again; False where it has no room."""
     index, cells, members = shape_index
     if state["index_stale"] == 0 and state["taken"] + state["put"] > 0:
-        state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else 1
+        state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else STALE
     state["taken"] = 0
     state["put"] = 0
+    if state["index_stale"] == OTHER_REACH and index[FIXED]["reach"] == state["reach"]:
+        # Another copy of the world has made it, whose balls are as large.
+        state["index_stale"] = 0
+        state["moving_stale"] = 1
     if state["index_stale"] != 0:
+        state["index_stale"] = STALE
         if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
             return False
         state["index_stale"] = 0

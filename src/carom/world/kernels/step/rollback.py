@@ -9,7 +9,7 @@ from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, REFUSED, StateRow
+from carom.rows.state import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, STALE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.spending import keep_spent, unspend
@@ -87,7 +87,8 @@ def begin_step(
     # An index for larger balls serves smaller ones; it is made anew when it serves far larger ones than there are.
     if largest > state["reach"] or largest * 4.0 < state["reach"]:
         state["reach"] = largest
-        state["index_stale"] = 1
+        if state["index_stale"] == 0:
+            state["index_stale"] = OTHER_REACH
     state["substep"] = 0
     state["outside"] = 0
     state["braked"] = braked
@@ -198,7 +199,7 @@ def roll_back(
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]
     # The index holds shapes where the failed step had moved them.
-    state["index_stale"] = 1
+    state["index_stale"] = STALE
 
 
 def end_step(
