@@ -27,7 +27,7 @@ class KernelLibrary(JITCodeLibrary):
         """Let LLVM know first that no other code calls the callees: what has one caller becomes part of that."""
         for function in self._final_module.functions:
             if not function.is_declaration and function.linkage == Linkage.linkonce_odr:
-                function.linkage = Linkage.internal
+                function.linkage = Linkage.private
         super()._optimize_final_module()
 
 

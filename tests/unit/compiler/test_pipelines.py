@@ -1,5 +1,6 @@
 """A kernel and its callees become one program that answers as the interpreter does."""
 
+import ctypes
 from typing import Any
 
 import pytest
@@ -48,24 +49,44 @@ def test_a_kernel_and_its_callees_answer_as_the_interpreter_does() -> None:
     assert isinstance(compiled.library, KernelLibrary)
 
 
-@pytest.mark.compiled
-def test_callees_are_private_parts_of_a_kernel_and_have_no_code_of_their_own() -> None:
-    pytest.importorskip("numba")
+def library_of(kind: Any, name: str, module: str) -> Any:
+    """A library of some kind that holds a module, and has its code."""
     from llvmlite import binding
     from numba.core.compiler_lock import global_compiler_lock
     from numba.core.registry import cpu_target
 
-    from carom.compiler import pipelines
+    library: Any = kind(cpu_target.target_context.codegen(), name)
+    library.add_llvm_module(binding.parse_assembly(module))
+    with global_compiler_lock:
+        library.finalize()
+    return library
 
-    made: list[Any] = []
-    for kind in ("Callee", "Kernel"):
-        library: Any = getattr(pipelines, f"{kind}Library")(cpu_target.target_context.codegen(), kind)
-        library.add_llvm_module(binding.parse_assembly(MODULE.replace("@c", f"@{kind}_c")))
-        with global_compiler_lock:
-            library.finalize()
-        made.append(library)
-    callee, caller = made
+
+@pytest.mark.compiled
+def test_callees_are_private_parts_of_a_kernel_and_have_no_code_of_their_own() -> None:
+    pytest.importorskip("numba")
+    from carom.compiler.pipelines import CalleeLibrary, KernelLibrary
+
+    callee = library_of(CalleeLibrary, "Callee", MODULE.replace("@c", "@Callee_c"))
+    caller = library_of(KernelLibrary, "Kernel", MODULE.replace("@c", "@Kernel_c"))
     linkages = {part.name: part.linkage.name for part in caller.get_defined_functions()}
-    assert linkages == {"Kernel_callee": "internal", "Kernel_caller": "external"}
+    assert linkages == {"Kernel_callee": "private", "Kernel_caller": "external"}
     assert caller.get_pointer_to_function("Kernel_caller")
     assert not callee.get_pointer_to_function("Callee_caller")
+
+
+@pytest.mark.compiled
+def test_what_else_is_compiled_does_not_call_a_kernels_private_parts() -> None:
+    pytest.importorskip("numba")
+    from numba.core.codegen import JITCodeLibrary
+
+    from carom.compiler.pipelines import KernelLibrary
+
+    # A function of one name in both; by itself Numba makes no difference between such.
+    kernel = library_of(KernelLibrary, "Mine", MODULE.replace("@callee", "@shared").replace("@caller", "@mine"))
+    assert kernel.get_pointer_to_function("mine")
+    text = MODULE.replace("@callee", "@shared").replace("@caller", "@other").replace("%x, 3", "%x, 5")
+    other = library_of(JITCodeLibrary, "Other", text)
+    call = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64)
+    assert call(other.get_pointer_to_function("other"))(2) == 10
+    assert call(kernel.get_pointer_to_function("mine"))(2) == 6
