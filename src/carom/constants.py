@@ -363,7 +363,7 @@ SEARCH_STEPS = 256
 SOLVER_ROUNDS = 24
 
 #: Share of the tolerance of a solve down to which a search goes on: the sweep after it changes what it has found.
-SEARCH_SHARE = 0.1
+SEARCH_SHARE = 0.3
 
 #: Share of the worst approach of a contact without load down to which a search goes on: beyond, it solves what the next
 #: sweep will change. At 0 and at 0.1 large heaps take up to twice the time, at 1 heavy balls are left unsolved.
@@ -389,7 +389,7 @@ ELASTIC_VISITS = 32
 
 #: Share of the speed below which a contact does not rebound: slower approaches do not spread. Smaller, and impacts
 #: reach farther into heaps than can be seen.
-IMPACT_SHARE = 3e-2
+IMPACT_SHARE = 5e-2
 
 #: Relative to an island's fastest ball: approaches below this are rounding of its velocities, and do not spread.
 SPEED_ROUNDING = 1e-14
@@ -404,6 +404,10 @@ PLACE_ROUNDS = 4
 
 #: Fraction of a ball's radius: overlaps of an island that are left as they are. Above rounding of places by far.
 PLACE_SLACK = 1e-9
+
+#: The same of two balls: an overlap that nobody sees. Smaller, and ticks solve places that are right already; larger,
+#: and balls of a heap sink into each other.
+PAIR_SLACK = 3e-5
 
 #: Fraction of a ball's radius: a gap up to this to a shape that pressed over the last tick is closed. Larger than what
 #: a tick opens on a bent shape, small enough that nobody sees it.
@@ -420,14 +424,19 @@ LEAST_TICK = 1e-3
 #: Relative to an island's fastest ball, where nothing presses it: contacts do not rebound more slowly.
 STILL_SPEED = 1e-9
 
-#: Share of the speed below which contacts do not rebound, and of what pulls an island over a tick, down to which its
-#: velocities and its accelerations are solved.
-SETTLED_SHARE = 1e-6
-TICK_SHARE = 1e-7
+#: How closely an island is solved while it moves: its velocities down to a share of the speed below which contacts do
+#: not rebound, its accelerations to one of what pulls it over a tick, so that contacts close by a few 1e-5 of a radius
+#: in a tick, which later ones take back. The slower its balls are the closer, down to a share of their speed, and at
+#: rest to the last of these. Smaller costs; larger, and what is all but at rest shakes.
+SETTLED_SHARE = 1e-2
+TICK_SHARE = 3e-3
+MOTION_SHARE = 5e-3
+REST_SHARE = 1e-7
 
-#: Fraction of a ball's radius: a contact of an island that does not press and is opened farther ends. Smaller, and
-#: contacts end and begin again; larger, and balls are held together that are apart.
-ISLAND_OPEN = 1e-4
+#: Fraction of a ball's radius: a contact of an island that does not press and is opened farther ends. As much as a
+#: rebound that is none may rise. Smaller, and contacts end and begin again; larger, and approaches that can be seen end
+#: before the balls touch.
+ISLAND_OPEN = 1e-3
 
 #: Ticks, one after the other, in which an island hardly moves before it sleeps, and what hardly is: shares of the speed
 #: below which contacts do not rebound, and of what pulls it.
@@ -442,8 +451,15 @@ SQUEEZE_DEEP = 0.5
 #: within the tick is solved with it. Smaller costs; larger, and the balls around it do work.
 JOLT_SHARE = 5e-2
 
+#: Balls that are solved with an event before it is asked whether the rest can wait: where those around them are pushed
+#: still, their island is solved anew when that has changed a ball by the same speed, if no less of a tick than this
+#: share has gone by then; else more are solved now. More balls cost, and so does a smaller share; at a larger one jolts
+#: go through whole heaps.
+JOLT_MOST = 8
+JOLT_WAIT = 0.05
+
 #: Share of the same speed down to which accelerations are solved after such an event.
-JOLT_TOLERANCE = 5e-3
+JOLT_TOLERANCE = 2e-2
 
 #: Part of a ball's radius: a ball that was less far from a shape between two hits has not left it, and touches it once.
 #: A hop that low is not seen.

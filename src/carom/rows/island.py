@@ -15,33 +15,34 @@ NOT_QUEUED = -2  # of a body that waits for no visit; the last one that waits ha
 class BodyRow(TypedDict):
     """A ball of an island."""
 
+    # what every sweep and search reads, side by side
+    wx: f8  # the velocity that is being solved
+    wy: f8
+    sx: f8  # how it changes along the direction of a search, per unit of step
+    sy: f8
+    zx: f8  # the same for the direction of steepest descent
+    zy: f8
+    inverse_mass: f8
+    mass: f8
+    free_x: f8  # the velocity without impulses
+    free_y: f8
+    vx: f8
+    vy: f8
+    contacts: i4  # first of its list
+    after: i4  # who is visited next
+    visits: i4  # in the spreading of one impact
+    reached: i4  # 1 if its velocity has changed by that
     ball: i4  # its row
     core: i4  # 1 if all of its contacts are among those that are being solved, or WANTED
     x: f8
     y: f8
-    vx: f8
-    vy: f8
     ax: f8
     ay: f8
     gx: f8  # the acceleration that it would have without contacts: gravity and friction
     gy: f8
     radius: f8
-    mass: f8
-    inverse_mass: f8
-    wx: f8  # the velocity that is being solved
-    wy: f8
-    free_x: f8  # what that is without impulses
-    free_y: f8
-    sx: f8  # how it changes along the direction of a search, per unit of step
-    sy: f8
-    zx: f8  # the same for the direction of steepest descent
-    zy: f8
     from_x: f8  # the place before overlaps were taken back
     from_y: f8
-    contacts: i4  # first of its list
-    after: i4  # who is visited next
-    visits: i4  # in the spreading of one impact
-    reached: i4  # 1 if its velocity has changed by that
 
 
 class IslandContactRow(TypedDict):
@@ -51,9 +52,25 @@ class IslandContactRow(TypedDict):
     velocity of a tick; of a pair, all are worked out from places.
     """
 
+    # what every sweep and search reads, side by side
     nx: f8  # unit normal in use, to the first body
     ny: f8
     bias: f8  # in use
+    impulse: f8
+    effective_mass: f8
+    residual: f8
+    descent: f8  # impulses along the direction of steepest descent, and along that of the search
+    search: f8
+    first: i4
+    second: i4  # NO_BODY if the other is a shape
+    loaded: i4  # 1 while a search may change its impulse
+    holds: i4  # 1 while the contact may pull as well as press
+    next_of_first: i4  # in the lists of contacts of its bodies
+    next_of_second: i4
+    shape: i4  # its row, if it is one
+    lasting: i4  # 0 of a shape that is only near: places heed it, forces do not
+    acted: i4  # 1 if it has given an impulse while an impact spread
+    rest_speed: f8  # an impact that spreads does not let it rebound more slowly
     gap: f8  # below 0 in an overlap
     start_nx: f8
     start_ny: f8
@@ -66,19 +83,6 @@ class IslandContactRow(TypedDict):
     force: f8  # over the last tick; where the next solve begins
     force_x: f8  # as it was solved last, on the first body, whose acceleration it is a part of
     force_y: f8
-    impulse: f8
-    effective_mass: f8
-    residual: f8
-    descent: f8  # impulses along the direction of steepest descent, and along that of the search
-    search: f8
-    first: i4
-    second: i4  # NO_BODY if the other is a shape
-    shape: i4  # its row, then
-    lasting: i4  # 0 of a shape that is only near: places heed it, forces do not
-    loaded: i4  # 1 while a search may change its impulse
-    holds: i4  # 1 while the contact may pull as well as press
-    next_of_first: i4  # in the lists of contacts of its bodies
-    next_of_second: i4
 
 
 BODY = dtype_of(BodyRow)

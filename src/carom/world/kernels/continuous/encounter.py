@@ -25,7 +25,7 @@ from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import bend_center, lacks_room, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, reach_of, surface_velocity
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, PASSING, RelationRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -409,16 +409,27 @@ def pressing(
 ) -> float:
     """The acceleration that presses two touching balls together along the normal; 0 or less if nothing does.
 
-    That of their flights, less what their turning about each other takes. Of balls that both lie on others it is not
-    known before all of them are solved: there as much as gravity.
+    That of their flights, less what their turning about each other takes. Of balls that lie on others it is not
+    known before all of them are solved: there as much as gravity, and as what presses on either of the two already.
     """
     ax, ay = float(flight["ax"]) - float(partner["ax"]), float(flight["ay"]) - float(partner["ay"])
     press = dot(ax, ay, nx, ny)
-    if lies(relations, first) and lies(relations, second):
+    if lies(relations, first) or lies(relations, second):
         press = larger(press, length(float(state["gravity_x"]), float(state["gravity_y"])))
+        press = larger(press, larger(strongest_force(relations, first), strongest_force(relations, second)))
     vx, vy = float(second["vx"]) - float(first["vx"]), float(second["vy"]) - float(first["vy"])
     across = cross(nx, ny, vx, vy)
     return press - across * across / (float(first["radius"]) + float(second["radius"]))
+
+
+def strongest_force(relations: Table[RelationRow], ball: BallRow) -> float:
+    """The largest force of what a ball lies on, or what lies on it, per its mass."""
+    force = 0.0
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        force = larger(force, length(float(relations[place]["force_x"]), float(relations[place]["force_y"])))
+        place = int(relations[place]["next"])
+    return force / float(ball["mass"])
 
 
 def keep_push_out(

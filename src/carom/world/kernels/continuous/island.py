@@ -176,7 +176,7 @@ def fill_contacts(
                 partner = int(flights[other]["body"]) - 1
                 if partner < k or bodies[partner]["core"] == 0:
                     contact = contacts[found]
-                    clear(contact, k, partner, relations[place])
+                    clear(contact, k, partner, float(relations[place]["force_x"]), float(relations[place]["force_y"]))
                     contact["elasticity"] = float(balls[i]["elasticity"]) * float(balls[other]["elasticity"])
                     found += 1
             place = int(relations[place]["next"])
@@ -208,7 +208,7 @@ def fill_shapes(
         ends = False
         if relations[place]["kind"] == LASTING and is_moving(shapes[row]) == moving:
             contact = contacts[found]
-            clear(contact, k, NO_BODY, relations[place])
+            clear(contact, k, NO_BODY, float(relations[place]["force_x"]), float(relations[place]["force_y"]))
             contact["shape"] = row
             contact["elasticity"] = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
             ends = not (may_collide(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
@@ -221,9 +221,8 @@ def fill_shapes(
     return found
 
 
-def clear(contact: IslandContactRow, first: int, second: int, relation: RelationRow) -> None:
+def clear(contact: IslandContactRow, first: int, second: int, force_x: float, force_y: float) -> None:
     """Begin a contact with the force that it had."""
-    force_x, force_y = float(relation["force_x"]), float(relation["force_y"])
     contact["first"] = first
     contact["second"] = second
     contact["lasting"] = 1

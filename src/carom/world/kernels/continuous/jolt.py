@@ -5,26 +5,31 @@ What is far from it goes on as it was solved at its island's last tick.
 
 from __future__ import annotations
 
-from carom.constants import JOLT_SHARE, JOLT_TOLERANCE, LEAST_TICK
-from carom.geometry.vector import length
+from math import inf
+
+from carom.constants import JOLT_MOST, JOLT_SHARE, JOLT_TOLERANCE, JOLT_WAIT, LEAST_TICK
+from carom.geometry.vector import larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, NO_BALL, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import WANTED, BodyRow, IslandContactRow
-from carom.rows.relation import RelationRow
+from carom.rows.relation import LYING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import energy_of
-from carom.world.kernels.continuous.flight import fall_freely
-from carom.world.kernels.continuous.instants import seconds_since
+from carom.world.kernels.continuous.flight import age_now, fall_freely, place_after
+from carom.world.kernels.continuous.instants import later, seconds_since
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
+    clear,
     dismiss,
     enlist,
     enlist_neighbours,
     fill_body,
     fill_contacts,
+    join,
+    lies,
     next_tick,
     pull_on,
     rest_speed_of,
@@ -33,7 +38,8 @@ from carom.world.kernels.continuous.island import (
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.resolve import adjust_accelerations
 from carom.world.kernels.continuous.settling import begin_now, end_contacts, let_loose, settle, store_forces
-from carom.world.kernels.continuous.spreading import resolve_impact
+from carom.world.kernels.continuous.spreading import end_approaches, spread_impact
+from carom.world.kernels.step.relations import find_relation
 
 
 def jolt(
@@ -70,25 +76,131 @@ def jolt(
                 state, balls, shapes, index, cells, members, flights, relations, island, first, second, struck
             )  # fmt: skip
         speed = rest_speed_of(pull, radius, fastest)
-        resolve_impact(bodies, contacts, counts, speed)
-        if not take_in_reached(bodies, count):
+        if not goes_on(state, balls, relations, island, counts, speed, first, second if struck else NO_BALL):
             break
+    tick = tick_length(pull, turning, radius)
+    sooner, sooner_low = time, low
     while True:
         aim_at_middle(state, shapes, island, found, tau)
         adjust_accelerations(bodies, contacts, counts, tau, JOLT_TOLERANCE * speed)
         store_forces(balls, relations, island, found)
+        push, core = strongest_push(flights, bodies, count)
+        wait = JOLT_SHARE * speed / push if push > 0.0 else inf
+        if core >= JOLT_MOST and JOLT_WAIT * tick <= wait < tau:
+            sooner, sooner_low = later(float(state["now"]), float(state["now_low"]), wait)
+            break
         if not take_in_pushed(flights, bodies, count, tau, JOLT_SHARE * speed):
             break
         count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
     end_contacts(state, balls, shapes, relations, island, counts, speed, True)
+    return fly_on_changed(
+        state, balls, shapes, index, cells, members, flights, relations, bodies, count,
+        (time, low), (sooner, sooner_low),
+    )  # fmt: skip
+
+
+def goes_on(
+    state: StateRow,
+    balls: Table[BallRow],
+    relations: Table[RelationRow],
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+    counts: tuple[int, int],
+    speed: float,
+    first: int,
+    second: int,
+) -> bool:
+    """True if an impact, which has spread among bodies, goes on beyond: those reached are wanted in the core.
+
+    `second` is the ball that the first one has met, or NO_BALL.
+    """
+    bodies, contacts = island
+    count, found = counts
+    met = add_struck(balls, relations, island, found, second)
+    least = spread_impact(bodies, contacts, (count, found + met), speed)
+    if met != 0 and contacts[found]["acted"] != 0:
+        # What lies behind throws the one back onto the other at once: they stay together, and are solved so.
+        join(state, balls, relations, first, second)
+        state["held"] += 1
+        take_in_reached(bodies, count)
+        return True
+    if take_in_reached(bodies, count):
+        return True
+    end_approaches(bodies, contacts, counts, least)
+    return take_in_reached(bodies, count)
+
+
+def fly_on_changed(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    bodies: Table[BodyRow],
+    count: int,
+    tick: tuple[float, float],
+    sooner: tuple[float, float],
+) -> int:
+    """The number of bodies whose balls begin new flights now, which are listed first from now on; all are dismissed.
+
+    They fly up to an instant at which their island is solved anew, or those outside of the core up to a sooner one.
+    """
+    dismiss(flights, bodies, count)
+    changed = 0
     for k in range(count):
         i = row_of(bodies[k]["ball"])
-        begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
-        fly_on_solved(state, balls[i], flights[i], bodies[k], time, low)
-    let_loose(state, balls, flights, shapes, relations, bodies, count)
-    return count
+        time, low = tick if bodies[k]["core"] != 0 else sooner
+        if is_changed(state, balls[i], flights[i], relations, bodies[k], time, low):
+            begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
+            fly_on_solved(state, balls[i], flights[i], bodies[k], time, low)
+            bodies[changed]["ball"] = i
+            changed += 1
+    let_loose(state, balls, flights, shapes, relations, bodies, changed)
+    return changed
+
+
+def add_struck(
+    balls: Table[BallRow],
+    relations: Table[RelationRow],
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+    found: int,
+    second: int,
+) -> int:
+    """1 when the contact of the first two bodies is listed behind `found` others, 0 where it is or is none.
+
+    They have met, so an impact that spreads must not let them approach again.
+    """
+    bodies, contacts = island
+    if second == NO_BALL:
+        return 0
+    one, other = balls[bodies[0]["ball"]], balls[bodies[1]["ball"]]
+    if one["sensor"] != 0 or other["sensor"] != 0 or find_relation(relations, one, LYING, second):
+        return 0
+    clear(contacts[found], 0, 1, 0.0, 0.0)
+    contacts[found]["elasticity"] = 0.0
+    return 1
+
+
+def is_changed(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    relations: Table[RelationRow],
+    body: BodyRow,
+    time: float,
+    low: float,
+) -> bool:
+    """True unless a ball flies on to the bit as it would have without what was solved."""
+    if flight["time"] == state["now"] and flight["low"] == state["now_low"]:
+        return True
+    if flight["tick_time"] != time or flight["tick_low"] != low or not lies(relations, ball):
+        return True
+    _x, _y, vx, vy = place_after(ball, flight, age_now(state, flight))
+    return bool(body["vx"] != vx or body["vy"] != vy or body["ax"] != flight["ax"] or body["ay"] != flight["ay"])
 
 
 def list_wanted(
@@ -172,6 +284,19 @@ def take_in_reached(bodies: Table[BodyRow], count: int) -> bool:
             bodies[k]["core"] = WANTED
             found = True
     return found
+
+
+def strongest_push(flights: Table[FlightRow], bodies: Table[BodyRow], count: int) -> tuple[float, int]:
+    """The largest change of the acceleration of a body outside of the core, and how many bodies are in it."""
+    push, core = 0.0, 0
+    for k in range(count):
+        if bodies[k]["core"] == 0:
+            flight = flights[bodies[k]["ball"]]
+            change = length(float(bodies[k]["ax"]) - float(flight["ax"]), float(bodies[k]["ay"]) - float(flight["ay"]))
+            push = larger(push, change)
+        else:
+            core += 1
+    return push, core
 
 
 def take_in_pushed(flights: Table[FlightRow], bodies: Table[BodyRow], count: int, tau: float, speed: float) -> bool:

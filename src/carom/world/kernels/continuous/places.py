@@ -5,7 +5,7 @@ Source: M. Müller et al., Position based dynamics, J. Vis. Commun. Image R. 18 
 
 from __future__ import annotations
 
-from carom.constants import ISLAND_PUSH, PLACE_PASSES, PLACE_ROUNDS, PLACE_SLACK, SETTLE_GAP
+from carom.constants import ISLAND_PUSH, PAIR_SLACK, PLACE_PASSES, PLACE_ROUNDS, PLACE_SLACK, SETTLE_GAP
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.island import NO_BODY, BodyRow, IslandContactRow
 from carom.rows.tables import Table
@@ -64,7 +64,7 @@ def shift_all(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts:
         contact["bias"] = contact["gap"]
         contact["impulse"] = 0.0
         contact["holds"] = 0
-        slack = PLACE_SLACK * float(bodies[contact["first"]]["radius"])
+        slack = PAIR_SLACK * float(bodies[contact["first"]]["radius"])
         tolerance = slack if q == 0 else smaller(tolerance, slack)
         overlaps = overlaps or contact["gap"] < -slack
     if not overlaps:
@@ -94,7 +94,7 @@ def part_pairs(bodies: Table[BodyRow], contacts: Table[IslandContactRow], count:
             aim_pair(bodies, contact)
             first, second = bodies[contact["first"]], bodies[contact["second"]]
             depth = -float(contact["gap"]) / float(first["radius"])
-            if depth > PLACE_SLACK:
+            if depth > PAIR_SLACK:
                 deepest = larger(deepest, depth)
                 impulse = -float(contact["gap"]) * float(contact["effective_mass"])
                 way_of_first = impulse * float(first["inverse_mass"])

@@ -135,8 +135,11 @@ def adjust_accelerations(
     keep_forces(contacts, count, tau)
     for i in range(body_count):
         body = bodies[i]
-        body["ax"] = (float(body["wx"]) - float(body["vx"])) / tau
-        body["ay"] = (float(body["wy"]) - float(body["vy"])) / tau
+        vx, vy, wx, wy = float(body["vx"]), float(body["vy"]), float(body["wx"]), float(body["wy"])
+        # Whom no contact has changed goes on to the bit.
+        if wx != vx + tau * float(body["ax"]) or wy != vy + tau * float(body["ay"]):
+            body["ax"] = (wx - vx) / tau
+            body["ay"] = (wy - vy) / tau
     aim_forces(contacts, count)
     return worst
 

@@ -9,14 +9,16 @@ from math import inf
 
 from carom.constants import (
     ISLAND_OPEN,
+    MOTION_SHARE,
     QUIET_PULL,
     QUIET_SPEED,
     QUIET_TICKS,
+    REST_SHARE,
     SETTLED_SHARE,
     SQUEEZE_DEEP,
     TICK_SHARE,
 )
-from carom.geometry.vector import length
+from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
@@ -91,11 +93,11 @@ def settle(
     debt = 0.0 if moved else pay_surplus(flights, bodies, count, frame)
     if struck:
         resolve_impact(bodies, contacts, counts, speed)
-    resolve_velocities(bodies, contacts, counts, SETTLED_SHARE * speed)
+    resolve_velocities(bodies, contacts, counts, tolerance_of(speed, SETTLED_SHARE, fastest))
     debt += shift_places(state, balls, shapes, index, cells, members, relations, island, counts, frame, moved)
     if pull > 0.0 and tau < inf:
         aim_at_middle(state, shapes, island, found, tau)
-        resolve_accelerations(bodies, contacts, counts, tau, TICK_SHARE * tau * pull)
+        resolve_accelerations(bodies, contacts, counts, tau, tolerance_of(tau * pull, TICK_SHARE, fastest))
     else:
         fly_straight(bodies, contacts, counts)
     store_forces(balls, relations, island, found)
@@ -105,6 +107,11 @@ def settle(
     fall_asleep(state, balls, flights, bodies, count, pull, speed, moved)
     let_loose(state, balls, flights, shapes, relations, bodies, count)
     return count
+
+
+def tolerance_of(scale: float, share: float, fastest: float) -> float:
+    """The speed down to which an island is solved: a share of a scale at most, and less the slower its balls are."""
+    return larger(REST_SHARE * scale, smaller(share * scale, MOTION_SHARE * fastest))
 
 
 def begin_now(

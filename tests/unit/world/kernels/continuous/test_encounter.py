@@ -16,8 +16,9 @@ from carom.world.kernels.continuous.encounter import (
     keep_push_out,
     stop_between,
 )
-from carom.world.kernels.step.relations import find_relation
+from carom.world.kernels.step.relations import find_relation, set_force
 from carom.world.tables import Arrays
+from tests.heaps import joined
 from tests.kernel_calls import in_flight, near_tables, shape_index
 from tests.worlds import continuous_world
 
@@ -246,3 +247,17 @@ def test_a_tired_ball_is_stopped_between_two_shapes_that_lead_it_back_and_forth(
     row["vy"] = velocity[1]  # as the floor has left it
     stop_between(arrays.states[0], row, arrays.flights[0], *tables, 0, 0.0, 1.0)
     assert (row["vx"], row["vy"]) == pytest.approx(velocity if stops else (velocity[0] - 1, velocity[1]))
+
+
+@pytest.mark.parametrize("lying", [0, 1])
+@pytest.mark.parametrize("force", [0.0, 400.0])
+def test_what_presses_a_ball_of_a_heap_presses_it_onto_whom_it_meets(lying: int, force: float) -> None:
+    pull = max(10.0, force / 2.0)
+    highest = sqrt(2 * pull * REBOUND * 0.5) / 0.5
+    for speed in (0.99 * highest, 1.01 * highest):
+        third = Ball((0, 1) if lying == 0 else (1, 1), 0.5)
+        balls = Ball((0, 0), 0.5, (speed, 0), mass=2, elasticity=0.5), Ball((1, 0), 0.5, mass=2), third
+        arrays = joined(in_flight(continuous_world(*balls, gravity=(0, -10))), [(lying, 2)])
+        set_force(arrays.relations, arrays.balls.rows[lying], LYING, 2, 0.0, -force)
+        met(arrays)
+        assert find_relation(arrays.relations, arrays.balls.rows[0], LYING, 1) == (speed < highest)

@@ -8,11 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Ball, Segment
-from carom.constants import JOLT_SHARE, LEAST_TICK, REBOUND
+from carom.constants import IMPACT_SHARE, JOLT_MOST, JOLT_SHARE, LEAST_TICK, REBOUND
 from carom.rows.flight import ASLEEP, FLYING, NO_BALL, NO_TICK
 from carom.rows.island import WANTED
 from carom.rows.relation import LASTING, LYING
 from carom.world.kernels.continuous import jolt as module
+from carom.world.kernels.continuous.island import part
 from carom.world.kernels.continuous.jolt import is_any_asleep, take_in_pushed, take_in_reached, widen
 from carom.world.kernels.continuous.settling import begin_now
 from carom.world.tables import Arrays
@@ -228,3 +229,58 @@ def test_who_is_wanted_begins_a_flight_and_lists_its_neighbours() -> None:
     assert NO_BALL not in bodies["ball"][:3]
     assert pairs_of(arrays, LASTING) >= {(3, 0), (4, 0), (5, 0)}
     assert pairs_of(arrays, LYING) >= {(3, 4), (4, 3)}
+
+
+def test_whom_an_event_leaves_as_it_was_flies_on() -> None:
+    # Side by side on a floor, touching, with no force between them.
+    balls = [Ball((float(k), 0.5), 0.5) for k in range(3)]
+    arrays = heap(continuous_world(Segment((-5, 0), (9, 0)), *balls, gravity=(0, -10)))
+    settled(arrays)
+    later(arrays, 0.3)
+    before = copied(arrays)
+    strike(arrays, 0, (0.0, -1e-2))
+    assert jolted(arrays, 0, struck=True) == 1
+    assert arrays.island[0]["ball"][0] == 0
+    assert all(same(arrays, before, i) for i in (1, 2))
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_ball_that_is_thrown_back_at_once_stays_with_whom_it_has_met(behind: bool) -> None:
+    # The second has been struck by the first and goes into what lies behind it, if there is something.
+    wall = Segment((2.5, -1), (2.5, 2)) if behind else Segment((9.5, -1), (9.5, 2))
+    balls = [Ball((float(k), 0.5), 0.5, elasticity=0.5) for k in range(3)]
+    arrays = heap(continuous_world(wall, Segment((-5, 0), (12, 0)), *balls, gravity=(0, -10)))
+    settled(arrays)
+    later(arrays, 0.3)
+    part(arrays.states[0], arrays.balls.rows, arrays.relations, 0, 1)
+    for i, speed in ((0, 0.25), (1, 0.75)):
+        strike(arrays, i, (speed, 0.0))
+    held = int(arrays.states[0]["held"])
+    jolted(arrays, 0, 1, True)
+    assert ((0, 1) in pairs_of(arrays)) == behind
+    assert is_symmetric(pairs_of(arrays))
+    assert arrays.states[0]["held"] == held + int(behind)
+    speeds = velocities(arrays)[:, 0]
+    assert speeds[1] >= speeds[0] - IMPACT_SHARE * np.sqrt(2 * REBOUND * 10 * 0.5)
+
+
+def test_what_is_pushed_far_off_waits_until_it_has_changed_as_much_as_it_may() -> None:
+    arrays = chain()
+    first_tick = float(arrays.flights["tick_time"][0])
+    now = float(arrays.states[0]["now"])
+    whole = copied(arrays)
+    strike(arrays, 0, (0.05, 0.0))
+    strike(whole, 0, (0.05, 0.0))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "JOLT_WAIT", 0.0)
+        count = jolted(arrays, 0, struck=True)
+    assert JOLT_MOST <= count < LONG
+    ticks = arrays.flights["tick_time"][arrays.island[0]["ball"][:count]]
+    # Those around the ones that are solved look again sooner.
+    assert now < ticks[-1] < first_tick
+    assert set(ticks[:JOLT_MOST].tolist()) == {first_tick}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "JOLT_WAIT", 1.0)
+        more = jolted(whole, 0, struck=True)
+    assert more > count
+    assert (whole.flights["tick_time"][:LONG] == first_tick).all()

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom.constants import ISLAND_PUSH, SETTLE_GAP
+from carom.constants import ISLAND_PUSH, PAIR_SLACK, PLACE_SLACK, SETTLE_GAP
 from carom.rows.island import NO_BODY
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.places import gap_after_shift, resolve_places
@@ -117,3 +117,20 @@ def test_a_gap_to_what_does_not_press_stays() -> None:
     contacts["gap"] = 1e-5
     assert resolve_places(bodies, contacts, (1, 1)) == 0
     assert bodies["y"][0] == 0.50001
+
+
+@pytest.mark.parametrize(("share", "stays"), [(0.9, True), (1.1, False)])
+def test_two_balls_are_left_to_overlap_by_what_nobody_sees(share: float, stays: bool) -> None:
+    apart = 1.0 - share * PAIR_SLACK * 0.5
+    bodies = body_rows([(0, 0), (apart, 0)])
+    contacts = contact_rows([(0, 1, 0.0, 0.0)])
+    resolve_places(bodies, contacts, (2, 1))
+    assert (bodies["x"].tolist() == [0, apart]) == stays
+
+
+def test_a_ball_is_put_out_of_a_shape_however_little_it_is_in_it() -> None:
+    bodies = body_rows([(0, 0.5 - 0.1 * PAIR_SLACK)])
+    contacts = contact_rows([(0, NO_BODY, 0.0, 1.0)])
+    on_floor(bodies, contacts)
+    assert resolve_places(bodies, contacts, (1, 1)) <= PLACE_SLACK
+    assert bodies["y"][0] == pytest.approx(0.5, abs=PLACE_SLACK)

@@ -9,7 +9,17 @@ from carom.rows.island import NO_BODY
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.ledger import contact_work
 from carom.world.kernels.continuous.resolve import adjust_accelerations, resolve_accelerations, resolve_velocities
-from tests.islands import body_rows, contact_rows, counts_of, jacobian, kinetic_energy, momentum, pyramid, stack
+from tests.islands import (
+    body_rows,
+    contact_rows,
+    counts_of,
+    jacobian,
+    kinetic_energy,
+    momentum,
+    pyramid,
+    stack,
+    touching,
+)
 
 
 def falling(bodies: Rows) -> Rows:
@@ -132,3 +142,12 @@ def test_a_part_of_an_island_goes_on_with_what_else_acts_on_it() -> None:
     assert bodies["ay"][1] == pytest.approx(-0.2)
     assert contacts["force"] == pytest.approx([30, 20, 10.2])
     assert before == pytest.approx([0, 0])
+
+
+def test_whom_no_contact_changes_goes_on_to_the_bit() -> None:
+    bodies = body_rows([(0, 0), (1, 0), (5, 0)], velocities=[(0, 0.1), (0, 0.1), (0.1, 0.3)])
+    bodies["ax"], bodies["ay"] = (1.0, 0.0, 1 / 3), (0.0, 0.0, 1 / 7)
+    contacts = contact_rows(touching([(0, 0), (1, 0)]))
+    adjust_accelerations(bodies, contacts, (3, 1), 0.3, 1e-9)
+    assert bodies["ax"][:2] == pytest.approx([0.5, 0.5])
+    assert (bodies["ax"][2], bodies["ay"][2]) == (1 / 3, 1 / 7)

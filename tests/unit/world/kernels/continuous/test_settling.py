@@ -9,10 +9,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Ball, Circle, Segment, World
-from carom.constants import ISLAND_OPEN, ISLAND_TICK, QUIET_TICKS, REBOUND, SETTLED_SHARE, SQUEEZE_DEEP, TICK_SHARE
+from carom.constants import (
+    ISLAND_OPEN,
+    ISLAND_TICK,
+    MOTION_SHARE,
+    QUIET_TICKS,
+    REBOUND,
+    REST_SHARE,
+    SETTLED_SHARE,
+    SQUEEZE_DEEP,
+    TICK_SHARE,
+)
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK
 from carom.rows.relation import LASTING, LYING, PASSING
-from carom.world.kernels.continuous.settling import frame_of
+from carom.world.kernels.continuous.settling import frame_of, tolerance_of
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
 from tests.heaps import (
@@ -286,3 +296,9 @@ def test_the_frame_of_an_island_is_that_of_its_shapes_or_of_its_centre_of_mass()
         arrays = heap(continuous_world(*shapes, Ball((0, 0), 0.5, (1, 0), 1), Ball((1, 0), 0.5, (3, 0), 3)))
         counts = taken_apart(arrays, [0, 1])
         assert frame_of(*arrays.island, arrays.shapes.rows, counts) == (pytest.approx(frame), moved)
+
+
+def test_an_island_is_solved_the_closer_the_slower_it_is() -> None:
+    assert tolerance_of(2.0, 0.1, 1e9) == 0.2
+    assert tolerance_of(2.0, 0.1, 0.5) == MOTION_SHARE * 0.5
+    assert tolerance_of(2.0, 0.1, 0.0) == REST_SHARE * 2.0

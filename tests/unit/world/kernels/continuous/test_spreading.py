@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from carom.constants import IMPACT_SHARE
 from carom.rows.island import NO_BODY
-from carom.world.kernels.continuous.spreading import resolve_impact
+from carom.world.kernels.continuous.spreading import end_approaches, resolve_impact, spread_impact
 from tests.islands import body_rows, contact_rows, counts_of, kinetic_energy, momentum, pyramid, stack, touching
 
 
@@ -81,3 +81,34 @@ def test_a_blow_on_a_long_stack_ends() -> None:
     assert resolve_impact(bodies, contacts, counts_of(bodies, contacts), 1e-3) <= 1e-6
     assert kinetic_energy(bodies) <= 0.5 * (1 + 1e-14)
     assert bodies["visits"].max() <= 64
+
+
+@pytest.mark.parametrize(("weight", "expected"), [(1.0, 0.5), (1e3, 0.0)])
+def test_what_presses_on_a_contact_takes_low_rebounds(weight: float, expected: float) -> None:
+    # Of radius ½ and mass 1: under a pull of 1000 a rebound of ½ rises by 1.25e-4.
+    bodies = body_rows([(0, 0)], velocities=(0, -1))
+    contacts = contact_rows([(0, NO_BODY, 0.0, 1.0)], elasticity=0.5)
+    contacts["force"] = weight
+    resolve_impact(bodies, contacts, (1, 1), 0.1)
+    assert bodies["vy"][0] == pytest.approx(expected)
+
+
+def test_contacts_that_give_an_impulse_are_told() -> None:
+    places = [(0.0, 0.0), (1.0, 0.0), (3.0, 0.0), (4.0, 0.0)]
+    bodies = body_rows(places, velocities=[(1, 0), (0, 0), (0, 0), (0, 0)])
+    contacts = contact_rows(touching(places))
+    contacts["acted"] = 1
+    least = spread_impact(bodies, contacts, counts_of(bodies, contacts), 0.01)
+    assert least == IMPACT_SHARE * 0.01
+    assert contacts["acted"].tolist() == [1, 0]
+    assert bodies["reached"].tolist() == [1, 1, 0, 0]
+
+
+def test_what_visits_have_left_is_ended_at_once() -> None:
+    bodies = body_rows([(0, 0), (1, 0)], velocities=[(1, 0), (0, 0)])
+    contacts = contact_rows(touching([(0, 0), (1, 0)]), elasticity=1.0)
+    spread_impact(bodies, contacts, (2, 1), 10.0 / IMPACT_SHARE)
+    assert bodies["vx"].tolist() == [1, 0]
+    assert end_approaches(bodies, contacts, (2, 1), 1e-9) <= 1e-9
+    assert bodies["vx"] == pytest.approx([0.5, 0.5])
+    assert bodies["reached"].tolist() == [1, 1]
