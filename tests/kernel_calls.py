@@ -15,8 +15,20 @@ from carom.rows.relation import NO_RELATION
 from carom.rows.shape import SHAPE
 from carom.rows.state import BRUTE, DONE, GRID, NEEDS_PAIRS, NOTE, QUADTREE, STATE
 from carom.rows.tables import Rows
-from carom.world.kernels.broad_phase.grid import pairs_by_grid
-from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
+from carom.world.kernels.broad_phase.grid import (
+    clear_grid,
+    count_ball,
+    grid_ahead,
+    lay_grid,
+    pairs_ahead,
+    pairs_by_grid,
+)
+from carom.world.kernels.broad_phase.pairs import (
+    measure_balls,
+    pairs_by_brute_force,
+    pairs_by_quadtree,
+    plant_ball_tree,
+)
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
 from carom.world.kernels.continuous.instants import later
@@ -63,6 +75,27 @@ def found_pairs(rows: Rows, phase: str, levels: int = 6, room: int = 4096) -> li
         assert end > 0
         count = pairs_by_quadtree(state, rows, cells, members, 0, end, pairs)
     assert count >= 0
+    return [(min(i, j), max(i, j)) for i, j in pairs[:count].tolist()]
+
+
+def pairs_found_ahead(rows: Rows, room: int = 4096) -> list[Pair] | None:
+    """The pairs that a grid finds which was laid ahead, likewise; None where none is laid."""
+    state = state_row(rows, "grid", 6)
+    lay_grid(state, *measure_balls(state, rows))
+    if state["grid_size"] == 0:
+        return None
+    slots, starts = np.zeros(2 * len(rows) + 2, SLOT), np.zeros(int(state["grid_size"]) + 1, "i4")
+    assert not clear_grid(state, starts[:-1])
+    assert state["wanted_starts"] == len(starts)
+    assert clear_grid(state, starts)
+    grid = grid_ahead(state)
+    assert all(count_ball(grid, slots, starts, i, ball) for i, ball in enumerate(rows))
+    pairs = np.full((0, 2), -1, "i4")
+    # With more room it goes on from where it was.
+    count = pairs_ahead(state, (slots, starts, pairs))
+    if count < 0:
+        pairs = np.full((room, 2), -1, "i4")
+        count = pairs_ahead(state, (slots, starts, pairs))
     return [(min(i, j), max(i, j)) for i, j in pairs[:count].tolist()]
 
 

@@ -106,6 +106,16 @@ FEW_TO_ASK = 8
 #: needs more room for hits.
 NEW_CELLS = 4
 
+#: Parts of a cell of that grid along each axis, 49 in all: whether any shape is in reach of one is a bit of a number.
+#: Changes the speed alone.
+CELL_PARTS = 7
+
+#: Static shapes up to this many are asked for a rectangle free of all of them. Changes the speed alone.
+FEW_FIXED = 64
+
+#: Parts by which a shape is in reach of more of them than it need be, far above the rounding of places in a cell.
+PART_MARGIN = 0.001
+
 #: Factor by which a shape is found from farther away than needed, so that rounding never hides it.
 INDEX_MARGIN = 1.000001
 
@@ -128,6 +138,10 @@ FARTHEST_CROSSING = 1e300
 #: Cells at most per ball in the grid that finds pairs of balls (4 bytes each). Fewer, and cells share their numbers
 #: earlier, which costs tests. Changes the speed and the order of pairs alone.
 GRID_CELLS_PER_BALL = 4.0
+
+#: The same of a grid that is laid ahead, around where balls come to in a substep: enough for a gas that fills a fifth
+#: of its box. Changes the speed and the order of pairs alone.
+GRID_CELLS_AHEAD = 5.0
 
 #: Relative: a root counts as found when a step towards it is shorter than this. A few units in the last place of 1;
 #: smaller, and the search goes round in rounding.

@@ -61,16 +61,19 @@ def do(world: carom.World, what: str, place: tuple[float, float], which: int) ->
         shape.elasticity = 0.5
 
 
-def cells_of(arrays: Arrays) -> tuple[Any, list[list[int]]]:
-    """Where the cells of the static shapes lie, and the members of each."""
+def cells_of(arrays: Arrays) -> tuple[Any, list[tuple[int, list[int]]]]:
+    """Where the cells of the static shapes lie and what is free of shapes, and the marks and members of each."""
     arrays.settle()
     entry = arrays.index[FIXED]
     cells = arrays.cells[int(entry["cells_begin"]) : int(entry["cells_end"])]
-    laid = tuple(float(entry[field]) for field in ("left", "bottom", "right", "top", "side", "columns", "lines"))
-    return laid, [arrays.members[cell["begin"] : cell["end"]].tolist() for cell in cells]
+    fields = ("left", "bottom", "right", "top", "side", "columns", "lines")
+    fields += ("free_left", "free_bottom", "free_right", "free_top")
+    laid = tuple(float(entry[field]) for field in fields)
+    members = [arrays.members[cell["begin"] : cell["end"]].tolist() for cell in cells]
+    return laid, list(zip(cells["marks"].tolist(), members, strict=True))
 
 
-def made_anew(arrays: Arrays) -> tuple[Any, list[list[int]]]:
+def made_anew(arrays: Arrays) -> tuple[Any, list[tuple[int, list[int]]]]:
     """The same of an index that is made anew of the shapes as they are."""
     twin = Arrays()
     twin.states = np.array(arrays.states)

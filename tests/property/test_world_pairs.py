@@ -6,7 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from carom.constants import CELL_SIDE
-from tests.kernel_calls import Ball, ball_rows, found_pairs
+from tests.kernel_calls import Ball, ball_rows, found_pairs, pairs_found_ahead
 from tests.strategies import numbers
 
 
@@ -74,6 +74,17 @@ def test_they_agree_on_crowds_of_balls_of_one_size_and_of_a_few(
     rows = ball_rows([(x, y, radius) for (x, y), radius in zip(places, rng.choice(sizes, 30).tolist(), strict=True)])
     expected = found_pairs(rows, "brute")
     assert sorted(found_pairs(rows, "grid")) == sorted(found_pairs(rows, "quadtree")) == expected
+
+
+@given(
+    st.integers(0, 2**32), st.sampled_from(((1.0,), (1.0, 0.6))), st.sampled_from((1.0, 3.0, 8.0, 20.0, 1e3, 1e7))
+)  # fmt: skip
+def test_a_grid_that_is_laid_ahead_finds_them_too(seed: int, sizes: tuple[float, ...], width: float) -> None:
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(-width, width, (30, 2)).tolist()
+    places[1] = [places[0][0] + 1.9, places[0][1] - 0.1]
+    rows = ball_rows([(x, y, radius) for (x, y), radius in zip(places, rng.choice(sizes, 30).tolist(), strict=True)])
+    assert sorted(pairs_found_ahead(rows) or ()) == found_pairs(rows, "brute")
 
 
 @settings(max_examples=25)

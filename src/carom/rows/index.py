@@ -18,6 +18,10 @@ class IndexRow(TypedDict):
     top: f8
     side: f8  # of a grid's cell
     reach: f8  # the largest radius of a ball that it serves
+    free_left: f8  # a rectangle in which a ball's centre has no shape's box in reach: see `free_rectangle`
+    free_bottom: f8
+    free_right: f8
+    free_top: f8
     longest: i8  # members of the fullest cell
     columns: i8
     lines: i8
@@ -46,6 +50,7 @@ class CellRow(TypedDict):
     begin: i4
     end: i4
     depth: i4  # in a quadtree; of a grid's cell, members that are to come
+    marks: i8  # of a grid's cell: a bit for each of its parts, set where the box of a member is in reach
 
 
 CELL = dtype_of(CellRow)

@@ -136,6 +136,15 @@ class StateRow(TypedDict):
     cursor: i8  # the ball or pair at which the stage goes on
     pairs: i8
     found: i8  # overlaps that this iteration has met
+    met_noted: i8  # whether it is noted already where balls come to in the substep, shapes aside (discrete)
+    near: i8  # balls that have a shape near, listed in the slots (discrete)
+    grid_size: i8  # cells of a grid around all those places, laid ahead; 0: there is none (discrete)
+    grid_stride: i8
+    grid_mask: i8
+    grid_left: f8
+    grid_bottom: f8
+    grid_side: f8
+    doubtful: i8  # whether a ball may have come to be where numbers do not reach (discrete)
     step_hits: i8  # hits there were when the step began
     spent: i8  # shapes that have switched themselves off in this step
     outside: i8  # balls wholly outside of the bounds

@@ -43,7 +43,10 @@ from carom.world.views import note_lent, see_lent
 STEP_KERNELS = (step_discrete, step_continuous)
 
 #: Words of a state, as Python reads and writes them: in far less time than fields of a record.
-STEPS_LEFT, HITS = (STATE.fields[name][1] // 8 for name in ("steps_left", "hits"))  # type: ignore[index]
+STEPS_LEFT, HITS, DETECTION = (
+    STATE.fields[name][1] // 8  # type: ignore[index]
+    for name in ("steps_left", "hits", "detection")
+)
 
 #: Steps of a run at most; far beyond what can be waited for.
 MOST_STEPS = 2**62
@@ -266,8 +269,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         rows = Hits((count,), HIT, self._arrays.hit_bytes(count))
         rows._link = self._link
         self._words[HITS] = 0
-        # A ball in flight finds out that it has left a sensor only later.
-        if count > 1 and (np.diff(rows["time"]) < 0.0).any():
+        # A ball in flight finds out that it has left a sensor only later. In the discrete mode nothing does.
+        if count > 1 and self._words[DETECTION] != DISCRETE and (np.diff(rows["time"]) < 0.0).any():
             rows = rows[np.argsort(rows["time"], kind="stable")]
         return rows
 

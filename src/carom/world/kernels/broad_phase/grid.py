@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from math import fabs, floor
 
-from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_PER_BALL
+from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_AHEAD, GRID_CELLS_PER_BALL
 from carom.rows.ball import BallRow
 from carom.rows.index import PairTables, SlotRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.pairs import may_touch, measure_balls, put_pair
+
+#: Sorted balls that are looked at after every one: those next to it in its line of cells, and those in the next line.
+OWN_LINE, NEXT_LINE = 2, 3
+
+#: A grid of cells of one width: left, bottom, 1/side, columns and lines that balls may be in, stride and mask of
+#: numbers, and how many balls there are.
+Grid = tuple[float, float, float, float, float, int, int, int]
 
 
 def cell_of(offset: float, inverse_side: float) -> int:
@@ -40,7 +47,7 @@ def inverse_side_of(side: float, level: int) -> float:
     return float(1 << level) / side
 
 
-def grid_size(width: float, height: float, side: float, count: int) -> tuple[int, int, int]:
+def grid_size(width: float, height: float, side: float, count: int, cells_per_ball: float) -> tuple[int, int, int]:
     """How cells are numbered: how many numbers there are, the step from one line to the next, and a mask for numbers.
 
     As long as the balls' box has no more cells than there is room for, the grid is dense, and the mask changes nothing.
@@ -50,7 +57,7 @@ def grid_size(width: float, height: float, side: float, count: int) -> tuple[int
     # With columns and lines to spare around the balls' box the cells around a ball are never off the grid.
     columns = (width / side if width / side < CELL_CLAMP else CELL_CLAMP) + 3.0
     lines = (height / side if height / side < CELL_CLAMP else CELL_CLAMP) + 4.0
-    most = 64.0 + GRID_CELLS_PER_BALL * count
+    most = 64.0 + cells_per_ball * count
     if columns * lines <= most:
         return int(columns) * int(lines), int(columns), -1
     size, stride, mask = wrapped_size(count)
@@ -82,7 +89,7 @@ def pairs_by_grid(state: StateRow, balls: Table[BallRow], pair_tables: PairTable
     if layered:
         size, stride, mask = wrapped_size(state["balls"])
     else:
-        size, stride, mask = grid_size(right - left, top - bottom, side, state["balls"])
+        size, stride, mask = grid_size(right - left, top - bottom, side, state["balls"], GRID_CELLS_PER_BALL)
     if size + 1 > len(starts):
         state["wanted_starts"] = size + 1
         return -1
@@ -90,6 +97,164 @@ def pairs_by_grid(state: StateRow, balls: Table[BallRow], pair_tables: PairTable
     if layered:
         return pairs_of_levels(state, pair_tables, left, bottom, side, stride, mask, levels)
     return pairs_of_cells(state, pair_tables, size, stride, mask)
+
+
+def lay_grid(
+    state: StateRow, left: float, bottom: float, right: float, top: float, smallest: float, largest: float
+) -> None:
+    """Lay a grid ahead, around the places that the balls come to in a substep; there is none where radii differ much.
+
+    Shapes may push a ball out of it again, but hardly by more than the cells that there are to spare.
+    """
+    side = 2.0 * largest * CELL_SIDE
+    state["grid_size"] = 0
+    if level_of(2.0 * smallest, side) > 0:
+        return
+    width, height = right - left + 2.0 * side, top - bottom + 2.0 * side
+    size, stride, mask = grid_size(width, height, side, state["balls"], GRID_CELLS_AHEAD)
+    state["grid_size"] = size
+    state["grid_stride"] = stride
+    state["grid_mask"] = mask
+    state["grid_left"] = left - side
+    state["grid_bottom"] = bottom - side
+    state["grid_side"] = side
+
+
+def clear_grid(state: StateRow, starts: Table[int]) -> bool:
+    """True when the cells of a grid that was laid ahead are empty; False where there is no room for them."""
+    size = int(state["grid_size"])
+    if size + 1 > len(starts):
+        state["wanted_starts"] = size + 1
+        return False
+    for k in range(size + 1):
+        starts[k] = 0
+    return True
+
+
+def count_ball(grid: Grid, slots: Table[SlotRow], starts: Table[int], i: int, ball: BallRow) -> bool:
+    """True when the ball in row `i` is counted in its cell of a grid laid ahead, and stands in a slot.
+
+    False where it is off the grid.
+    """
+    left, bottom, inverse_side, columns, lines, stride, mask, total = grid
+    x, y = float(ball["x"]), float(ball["y"])
+    across, along = (x - left) * inverse_side, (y - bottom) * inverse_side
+    if not (0.0 <= across < columns and 0.0 <= along < lines):
+        return False
+    cell = (int(across) + stride * int(along) + 1) & mask
+    slot = slots[total + i]
+    slot["x"] = x
+    slot["y"] = y
+    slot["radius"] = ball["radius"]
+    slot["ball"] = i
+    slot["cell"] = cell
+    starts[cell] += 1
+    return True
+
+
+def grid_ahead(state: StateRow) -> Grid:
+    """The grid that was laid ahead, as `count_ball` takes it."""
+    size, stride, mask = int(state["grid_size"]), int(state["grid_stride"]), int(state["grid_mask"])
+    if size == 0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0
+    left, bottom, inverse_side = float(state["grid_left"]), float(state["grid_bottom"]), 1.0 / float(state["grid_side"])
+    # A dense one has two columns and a line more than those that balls may be in; one that wraps around has no end.
+    columns = float(stride - 2) if mask == -1 else CELL_CLAMP
+    lines = float(size // stride - 1) if mask == -1 else CELL_CLAMP
+    return left, bottom, inverse_side, columns, lines, stride, mask, int(state["balls"])
+
+
+def pairs_ahead(state: StateRow, pair_tables: PairTables) -> int:
+    """The number of pairs of the balls that were counted in a grid laid ahead, or -1 if `pairs` ran out of room."""
+    slots, starts, _pairs = pair_tables
+    size = int(state["grid_size"])
+    # Called again with more room, they are sorted already.
+    if state["stage_entered"] == 0:
+        share_slots(slots, starts, size, int(state["balls"]))
+        state["stage_entered"] = 1
+    return pairs_of_crowded(state, pair_tables, size, int(state["grid_stride"]), int(state["grid_mask"]))
+
+
+def pairs_of_crowded(state: StateRow, pair_tables: PairTables, size: int, stride: int, mask: int) -> int:
+    """What `pairs_of_cells` finds, in the same order, sooner where most balls have no partner, as in a gas.
+
+    First the balls are listed that may have any. Of these, every candidate is written, and counted only if it is a
+    pair: a branch that no processor can foresee costs more.
+    """
+    slots, starts, pairs = pair_tables
+    count = 0
+    room = len(pairs)
+    total = int(state["balls"])
+    for k in range(total, total + list_crowded(state, slots, starts, size, stride, mask)):
+        near = int(slots[k]["cell"])
+        slot = slots[near]
+        ball = slot["ball"]
+        x, y, radius = float(slot["x"]), float(slot["y"]), float(slot["radius"])
+        cell = int(slot["cell"])
+        first = (cell + stride - 1) & mask
+        # Few cells have neighbours of which some are at the end of the numbers and some at the beginning.
+        if cell + 2 > size or first + 3 > size:
+            count = scan_around(state, pair_tables, count, near, 0.0, 0, stride, mask)
+            if count < 0:
+                return -1
+            continue
+        begin, end = near + 1, int(starts[cell + 2])
+        above, last = int(starts[first]), int(starts[first + 3])
+        if count + OWN_LINE + NEXT_LINE + end - begin + last - above > room:
+            state["wanted_pairs"] = 2 * room + OWN_LINE + NEXT_LINE + end - begin + last - above
+            return -1
+        if (end - begin > OWN_LINE) | (last - above > NEXT_LINE):
+            for _ in range(2):
+                for other in range(begin, end):
+                    count = note_pair(pairs, count, ball, slots[other], boxes_meet(slots[other], x, y, radius))
+                begin = above
+                end = last
+            continue
+        # How many there are of each no processor can foresee either: all that there may be are looked at.
+        for other in range(begin, begin + OWN_LINE):
+            is_one = boxes_meet(slots[other], x, y, radius) & (other < end)
+            count = note_pair(pairs, count, ball, slots[other], is_one)
+        for other in range(above, above + NEXT_LINE):
+            is_one = boxes_meet(slots[other], x, y, radius) & (other < last)
+            count = note_pair(pairs, count, ball, slots[other], is_one)
+    return count
+
+
+def note_pair(pairs: Pairs, count: int, ball: int, slot: SlotRow, is_one: bool) -> int:
+    """The number of pairs after one that is written, and counted only if it is one; there must be room."""
+    pairs[count, 0] = ball
+    pairs[count, 1] = slot["ball"]
+    return count + int(is_one)
+
+
+def list_crowded(
+    state: StateRow, slots: Table[SlotRow], starts: Table[int], size: int, stride: int, mask: int
+) -> int:  # fmt: skip
+    """List in the upper half of the slots the balls that may have a partner after them; returns how many there are."""
+    tests = 0
+    total = int(state["balls"])
+    listed = total
+    for k in range(total):
+        slot = slots[k]
+        x, y, radius = float(slot["x"]), float(slot["y"]), float(slot["radius"])
+        cell = int(slot["cell"])
+        first = (cell + stride - 1) & mask
+        odd = mask != -1 and (cell + 2 > size or first + 3 > size)
+        # Slots of a cell and of the one to its right lie side by side, and so do the three cells of the next line.
+        begin = k + 1
+        end = begin if odd else int(starts[cell + 2])
+        above = begin if odd else int(starts[first])
+        last = begin if odd else int(starts[first + 3])
+        tests += end - begin + last - above
+        # Most balls have no more candidates than `OWN_LINE` and `NEXT_LINE`, and none is a pair: so much is seen
+        # without a branch. What is no candidate, or in the upper half of the slots, does no harm.
+        near = boxes_meet(slots[begin], x, y, radius) | boxes_meet(slots[begin + 1], x, y, radius)
+        near |= boxes_meet(slots[above], x, y, radius) | boxes_meet(slots[above + 1], x, y, radius)
+        near |= boxes_meet(slots[above + 2], x, y, radius)
+        slots[listed]["cell"] = k
+        listed += int(odd | near | (end - begin > OWN_LINE) | (last - above > NEXT_LINE))
+    state["box_tests"] += tests
+    return listed - total
 
 
 def pairs_of_cells(state: StateRow, pair_tables: PairTables, size: int, stride: int, mask: int) -> int:
@@ -188,6 +353,12 @@ def sort_balls(
         slot["ball"] = i
         slot["cell"] = cell
         starts[cell] += 1
+    share_slots(slots, starts, size, total)
+    return levels
+
+
+def share_slots(slots: Table[SlotRow], starts: Table[int], size: int, total: int) -> None:
+    """Sort balls, which stand in the upper half of `slots` and are counted by cell, into the lower half."""
     # Running sums turn counts into the ends of the cells.
     end = 0
     for k in range(size + 1):
@@ -199,7 +370,6 @@ def sort_balls(
         k = starts[cell] - 1
         starts[cell] = k
         slots[k] = slots[i]
-    return levels
 
 
 def pairs_of_levels(

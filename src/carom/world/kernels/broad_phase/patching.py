@@ -11,7 +11,15 @@ from carom.rows.index import CellRow, IndexRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, cell_side, cells_around, comes_near, reach_of_cell
+from carom.world.kernels.broad_phase.shape_index import (
+    FIXED,
+    cell_side,
+    cells_around,
+    comes_near,
+    find_free,
+    mark_parts,
+    reach_of_cell,
+)
 
 
 def patch_index(
@@ -36,7 +44,8 @@ def patch_index(
     if not is_laid_alike(state, shapes, order, entry, geometries, end):
         return False
     for k in range(state["taken"]):
-        take_out(shapes[order[geometries + k]], order[first + k], entry, cells, members)
+        take_out(shapes, shapes[order[geometries + k]], order[first + k], entry, cells, members)
+    find_free(shapes, order, entry, int(state["dropped"]), int(state["fixed"]))
     more = 0
     for k in range(begin, end):
         more += announce(shapes[order[k]], entry, cells)
@@ -81,8 +90,13 @@ def is_laid_alike(
 
 
 def take_out(
-    geometry: ShapeRow, row: int, entry: IndexRow, cells: Table[CellRow], members: Table[int]
-) -> None:  # fmt: skip
+    shapes: Table[ShapeRow],
+    geometry: ShapeRow,
+    row: int,
+    entry: IndexRow,
+    cells: Table[CellRow],
+    members: Table[int],
+) -> None:
     """Take the shape in `row` out of the cells that it was put into by a geometry."""
     near = reach_of_cell(entry)
     first_column, last_column, first_line, last_line = cells_around(geometry, entry)
@@ -91,9 +105,11 @@ def take_out(
             if comes_near(geometry, entry, column, line, near):
                 cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
                 kept = int(cell["begin"])
+                cell["marks"] = 0
                 for k in range(cell["begin"], cell["end"]):
                     if members[k] != row:
                         members[kept] = members[k]
+                        mark_parts(cell, shapes[members[k]], entry, column, line)
                         kept += 1
                 cell["end"] = kept
 
@@ -143,6 +159,7 @@ def put_in(
                     members[k] = members[k - 1]
                     k -= 1
                 members[k] = row
+                mark_parts(cell, shape, entry, column, line)
                 cell["end"] += 1
                 cell["depth"] -= 1
                 entry["longest"] = max(entry["longest"], cell["end"] - begin)

@@ -8,7 +8,17 @@ from __future__ import annotations
 
 from math import fabs, floor, inf, sqrt
 
-from carom.constants import FEW_BALLS, INDEX_CELLS_MOST, INDEX_CELLS_PER_SHAPE, INDEX_MARGIN, ROUNDING
+from carom.constants import (
+    CELL_PARTS,
+    FEW_BALLS,
+    FEW_FIXED,
+    INDEX_CELLS_MOST,
+    INDEX_CELLS_PER_SHAPE,
+    INDEX_MARGIN,
+    PART_MARGIN,
+    ROUNDING,
+)
+from carom.geometry.vector import larger, smaller
 from carom.rows.ball import BallRow
 from carom.rows.index import NO_CHILD, CellRow, IndexRow
 from carom.rows.kinds_near import distance_to_shape
@@ -19,6 +29,10 @@ from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, pl
 
 FIXED = 0
 MOVING = 1
+
+#: Whether the shapes at rest, in a grid, are all there are; that grid: left, bottom, 1/side, columns, lines; and the
+#: rectangle that is free of them: left, bottom, right, top.
+Front = tuple[bool, float, float, float, float, float, float, float, float, float]
 
 
 def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
@@ -36,6 +50,57 @@ def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y:
             return first + floor(along) * columns + floor(across)
         return -1
     return locate_node(cells, first, x, y)
+
+
+def front_of(state: StateRow, index: Table[IndexRow]) -> Front:
+    """What `is_free` and `cell_near` have to know of the index; of one that is not a grid of static shapes, nothing."""
+    entry = index[FIXED]
+    if state["broad_phase"] != GRID or index[MOVING]["cells_end"] > index[MOVING]["cells_begin"]:
+        return False, 0.0, 0.0, 0.0, 0.0, 0.0, inf, inf, -inf, -inf
+    free = float(entry["free_left"]), float(entry["free_bottom"]), float(entry["free_right"]), float(entry["free_top"])
+    if entry["cells_end"] == entry["cells_begin"]:
+        return True, 0.0, 0.0, 0.0, 0.0, 0.0, *free
+    left, bottom, inverse_side = float(entry["left"]), float(entry["bottom"]), 1.0 / float(entry["side"])
+    return True, left, bottom, inverse_side, float(entry["columns"]), float(entry["lines"]), *free
+
+
+def is_free(front: Front, x: float, y: float) -> bool:
+    """True where the box of a ball at (x, y) surely meets no shape's, which is soon found."""
+    _plain, _x, _y, _side, _columns, _lines, left, bottom, right, top = front
+    return left <= x <= right and bottom <= y <= top
+
+
+def cell_near(cells: Table[CellRow], front: Front, x: float, y: float) -> int:
+    """The cell that a ball at (x, y) is in, if a member's box is in reach of the part of it that it is in; -1 if not.
+
+    The front must be one of a grid.
+    """
+    _plain, left, bottom, inverse_side, columns, lines, _left, _bottom, _right, _top = front
+    # As `locate`, but multiplied: this is done for many balls in every substep.
+    across, along = (x - left) * inverse_side, (y - bottom) * inverse_side
+    if not (0.0 <= across < columns and 0.0 <= along < lines):
+        return -1
+    column, line = int(across), int(along)
+    # The static shapes' cells come first of all.
+    cell = line * int(columns) + column
+    part = int((across - column) * CELL_PARTS) + CELL_PARTS * int((along - line) * CELL_PARTS)
+    return cell if (cells[cell]["marks"] >> part) & 1 != 0 else -1
+
+
+def any_box_meets(
+    shapes: Table[ShapeRow], members: Table[int], begin: int, end: int, x: float, y: float, radius: float
+) -> bool:
+    """True if the box of a ball at (x, y) meets that of any of the members from `begin` to `end`."""
+    for k in range(begin, end):
+        shape = shapes[members[k]]
+        if not (
+            x + radius < shape["left"]
+            or x - radius > shape["right"]
+            or y + radius < shape["bottom"]
+            or y - radius > shape["top"]
+        ):
+            return True
+    return False
 
 
 def cell_span(cells: Table[CellRow], cell: int) -> tuple[int, int]:
@@ -85,6 +150,7 @@ def build_index(
     entry["cells_end"] = entry["cells_begin"]
     entry["members_end"] = entry["members_begin"]
     entry["longest"] = 0
+    find_free(shapes, order, entry, begin, end)
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)
@@ -110,6 +176,43 @@ def build_index(
         built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, tree, cells, members)
     entry["longest"] = longest_list(entry, cells)
     return built
+
+
+def find_free(shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin: int, end: int) -> None:
+    """Find a rectangle in which a ball's centre has none of the boxes of the shapes `order[begin:end]` in reach.
+
+    It is what a rectangle around all of them is cut down to by one shape after the other, each where that leaves the
+    most: all of a room without walls but its outer ones. Where there are many shapes it is not looked for.
+    """
+    reach = float(entry["reach"])
+    left, bottom, right, top = -inf, -inf, inf, inf
+    if begin < end:
+        left, bottom, right, top = index_box(shapes, order, begin, end, reach)
+    reach = reach * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom)) if begin < end else 0.0
+    for k in range(begin, end if end - begin <= FEW_FIXED else begin):
+        shape = shapes[order[k]]
+        low_x, low_y = float(shape["left"]) - reach, float(shape["bottom"]) - reach
+        high_x, high_y = float(shape["right"]) + reach, float(shape["top"]) + reach
+        if low_x > right or high_x < left or low_y > top or high_y < bottom:
+            continue
+        # What is left of it to the left of the shape, to the right, below and above.
+        width, height = right - left, top - bottom
+        beside = larger((low_x - left) * height, (right - high_x) * height)
+        along = larger((low_y - bottom) * width, (top - high_y) * width)
+        if beside >= along and low_x - left >= right - high_x:
+            right = low_x
+        elif beside >= along:
+            left = high_x
+        elif low_y - bottom >= top - high_y:
+            top = low_y
+        else:
+            bottom = high_y
+    if end - begin > FEW_FIXED:
+        left, right = inf, -inf
+    entry["free_left"] = left
+    entry["free_bottom"] = bottom
+    entry["free_right"] = right
+    entry["free_top"] = top
 
 
 def longest_list(entry: IndexRow, cells: Table[CellRow]) -> int:
@@ -219,6 +322,7 @@ def open_cells(state: StateRow, entry: IndexRow, width: float, height: float, ce
         cells[cell]["child"] = NO_CHILD
         cells[cell]["end"] = 0
         cells[cell]["depth"] = 0
+        cells[cell]["marks"] = 0
     return True
 
 
@@ -255,14 +359,38 @@ def mark_cells(
                 cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
                 if write:
                     members[cell["end"]] = row
+                    mark_parts(cell, shape, entry, column, line)
                 cell["end"] += 1
+
+
+def mark_parts(cell: CellRow, shape: ShapeRow, entry: IndexRow, column: int, line: int) -> None:
+    """Mark the parts of a cell from which the box of a shape is in reach."""
+    side = float(entry["side"])
+    left, bottom = float(entry["left"]) + column * side, float(entry["bottom"]) + line * side
+    reach = float(entry["reach"]) * INDEX_MARGIN + index_rounding(entry)
+    first, last = parts_between(float(shape["left"]) - reach - left, float(shape["right"]) + reach - left, side)
+    low, high = parts_between(float(shape["bottom"]) - reach - bottom, float(shape["top"]) + reach - bottom, side)
+    row = ((2 << last) - 1) & ~((1 << first) - 1)
+    for part in range(low, high + 1):
+        cell["marks"] |= row << (CELL_PARTS * part)
+
+
+def parts_between(begin: float, end: float, side: float) -> tuple[int, int]:
+    """The first and the last part of a cell, along an axis, that are in a range, which is taken from its corner."""
+    first = larger(CELL_PARTS * (begin / side) - PART_MARGIN, 0.0)
+    last = larger(CELL_PARTS * (end / side) + PART_MARGIN, 0.0)
+    return int(smaller(first, CELL_PARTS - 1.0)), int(smaller(last, CELL_PARTS - 1.0))
 
 
 def reach_of_cell(entry: IndexRow) -> float:
     """The distance from a cell's middle within which a shape is one of its members."""
-    # Half a cell's diagonal from its middle to its corner; rounding far from the origin must not lose a shape.
-    rounding = 4.0 * ROUNDING * (fabs(float(entry["left"])) + fabs(float(entry["bottom"])))
-    return (float(entry["reach"]) + float(entry["side"]) * sqrt(0.5)) * INDEX_MARGIN + rounding
+    # Half a cell's diagonal from its middle to its corner.
+    return (float(entry["reach"]) + float(entry["side"]) * sqrt(0.5)) * INDEX_MARGIN + index_rounding(entry)
+
+
+def index_rounding(entry: IndexRow) -> float:
+    """What is added to distances, so that rounding far from the origin loses no shape."""
+    return 4.0 * ROUNDING * (fabs(float(entry["left"])) + fabs(float(entry["bottom"])))
 
 
 def cells_around(shape: ShapeRow, entry: IndexRow) -> tuple[int, int, int, int]:

@@ -43,14 +43,10 @@ from carom.world.kernels.continuous.instants import is_before
 from carom.world.kernels.continuous.predict import predict_all
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.regions import rebuild_regions
-from carom.world.kernels.step.discrete import (
-    enter_stage,
-    find_pairs,
-    meet_all_pairs,
-    meet_all_shapes,
-    rebuild_index,
-)
+from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs, rebuild_index
 from carom.world.kernels.step.relations import relations_room
+from carom.world.kernels.step.rounds import meet_all_shapes
+from carom.world.kernels.step.stages import enter_stage
 
 
 def step_continuous(
@@ -127,7 +123,7 @@ def part_overlaps(
     if stage == MOVE:
         return begin_parting(state, balls, shapes, order, shape_index, saved)
     if stage == SHAPES:
-        status = meet_all_shapes(state, balls, shapes, shape_index, saved, hits, relations)
+        status = meet_all_shapes(state, balls, shapes, shape_index, pair_index, saved, hits, relations)
     elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
         enter_stage(state, TAKE_UP)
     elif stage == FIND_PAIRS:

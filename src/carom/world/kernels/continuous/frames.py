@@ -47,7 +47,6 @@ from carom.world.kernels.continuous.movers import (
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
-from carom.world.kernels.step.discrete import enter_stage
 from carom.world.kernels.step.ending import sweep_relations
 from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.relations import relations_room
@@ -60,6 +59,7 @@ from carom.world.kernels.step.rollback import (
     shapes_are_sound,
 )
 from carom.world.kernels.step.spending import keep_spent, unspend
+from carom.world.kernels.step.stages import enter_stage
 
 
 def begin_film_step(

@@ -5,12 +5,9 @@ Each stage can stop where room runs out, and go on from there when there is more
 
 from __future__ import annotations
 
-from carom.constants import NEW_CELLS
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
-from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving
 from carom.rows.pose import rest as let_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
@@ -35,22 +32,16 @@ from carom.rows.state import (
     StateRow,
 )
 from carom.rows.tables import Pairs, Table
-from carom.world.kernels.broad_phase.grid import pairs_by_grid
+from carom.world.kernels.broad_phase.grid import pairs_ahead, pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.patching import patch_index
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate, rest_of_cell
+from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index
 from carom.world.kernels.step.ending import finish_substep, sweep_relations
-from carom.world.kernels.step.motion import move_ball, move_shapes
-from carom.world.kernels.step.narrow import (
-    balls_overlap,
-    boxes_apart,
-    keep_side,
-    meet_ball,
-    meet_sensing_ball,
-    meet_shape,
-)
+from carom.world.kernels.step.motion import move_shapes
+from carom.world.kernels.step.narrow import balls_overlap, keep_side, meet_ball, meet_sensing_ball
 from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, shapes_are_sound
-from carom.world.kernels.step.seams import overlap_beside_walls
+from carom.world.kernels.step.rounds import meet_all_shapes
+from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_end, substep_length
 
 
@@ -84,7 +75,7 @@ def step_discrete(
         elif stage == MOVE:
             status = begin_substep(states, balls, shapes, order, shape_index, saved, relations)
         elif stage == SHAPES:
-            status = meet_all_shapes(state, balls, shapes, shape_index, saved, hits, relations)
+            status = meet_all_shapes(state, balls, shapes, shape_index, pair_tables, saved, hits, relations)
         elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
             enter_stage(state, FINISH)
             status = DONE
@@ -175,104 +166,6 @@ def rebuild_static(
     return True
 
 
-def enter_stage(state: StateRow, stage: int) -> None:
-    """Go on with a stage from its beginning."""
-    state["stage"] = stage
-    state["cursor"] = 0
-    state["stage_entered"] = 0
-
-
-def meet_all_shapes(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    shape_index: ShapeIndex,
-    saved: Table[SavedRow],
-    hits: Table[HitRow],
-    relations: Table[RelationRow],
-) -> int:
-    """DONE when every ball has moved (first iteration) and met the shapes near it; NEEDS_ROOM if hits ran out.
-
-    After the last iteration come the shapes at rest alone, the static ones at the end.
-    """
-    index, cells, members = shape_index
-    first = state["iteration"] == 0 and state["detection"] == DISCRETE
-    # One round more than there are iterations: shapes at rest have the last word, whatever pairs did.
-    settling = state["iteration"] == state["iterations"]
-    kept = PAIRS_DUE if state["iteration"] == 0 else PAIRS_DUE | COUNTED
-    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
-    most = most_meetings(state, index)
-    for i in range(state["cursor"], state["balls"]):
-        # Most balls are not due again; then their rows are not read.
-        if not (first or saved[i]["touched"] & SHAPES_DUE) or balls[i]["asleep"] != 0:
-            continue
-        ball = balls[i]
-        if lacks_room(state, len(hits), len(relations), i, most):
-            return NEEDS_ROOM
-        from_x, from_y = float(ball["x"]), float(ball["y"])
-        if first:
-            move_ball(ball, duration, gravity_x, gravity_y)
-        saved[i]["touched"] &= kept
-        way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
-        for turn in range(2):
-            # Static shapes last in that round: what moves may push a ball into a wall, never the reverse.
-            entry = index[1 - turn if settling else turn]
-            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
-            k, end = cell_span(cells, cell)
-            state["box_tests"] += end - k
-            left = NEW_CELLS
-            while k < end:
-                row = int(members[k])
-                k += 1
-                shape = shapes[row]
-                if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
-                    continue
-                contact = overlap_beside_walls(state, ball, shape, shapes, shape_index, relations, first, way)
-                if contact is None:
-                    continue
-                px, py, nx, ny, setback = contact
-                touch = (px, py, nx, ny, setback)
-                pushed = meet_shape(
-                    state, ball, i, shapes, row, shape_index, hits, relations, saved[i], first, way, touch
-                )
-                # A push may have taken it into another cell, whose shapes it meets from there on, in the same order.
-                if pushed and left > 0:
-                    new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
-                    if new_cell != cell:
-                        left -= 1
-                        cell = new_cell
-                        state["box_tests"] -= end - k
-                        k, end = rest_of_cell(shapes, cells, members, cell, row)
-                        state["box_tests"] += end - k
-        note_met(saved[i], ball)
-    enter_stage(state, FINISH if settling else FIND_PAIRS)
-    return DONE
-
-
-def note_met(mark: SavedRow, ball: BallRow) -> None:
-    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
-    mark["met_x"] = ball["x"]
-    mark["met_y"] = ball["y"]
-
-
-def lacks_room(state: StateRow, hits: int, relations: int, cursor: int, most: int) -> bool:
-    """True if tables of such lengths lack room for so much more; then the stage is to go on at the cursor with more."""
-    if hits - state["hits"] >= most and relations // 2 - state["relations"] >= most:
-        return False
-    state["cursor"] = cursor
-    state["wanted_hits"] = state["hits"] + most
-    state["wanted_relations"] = state["relations"] + most
-    return True
-
-
-def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:
-    """How many shapes a ball can meet in one iteration at most."""
-    fixed, moving = int(state["fixed"]), int(state["shapes"] - state["fixed"])
-    # The cell that it was in, and those that pushes may take it into.
-    lists = 1 + NEW_CELLS
-    return min(lists * int(index[FIXED]["longest"]), fixed) + min(lists * int(index[MOVING]["longest"]), moving)
-
-
 def find_pairs(
     state: StateRow,
     balls: Table[BallRow],
@@ -290,6 +183,8 @@ def find_pairs(
         tests = int(state["box_tests"])
         if state["broad_phase"] == BRUTE:
             count = pairs_by_brute_force(state, balls, pairs)
+        elif state["broad_phase"] == GRID and is_counted(state):
+            count = pairs_ahead(state, pair_tables)
         elif state["broad_phase"] == GRID:
             count = pairs_by_grid(state, balls, pair_tables, 0.0)
         else:
@@ -303,13 +198,20 @@ def find_pairs(
     # Later iterations look only at pairs of which one was moved since it was tested.
     if state["iteration"] > 0:
         count = keep_due(pairs, count, saved)
-    for i in range(state["balls"]):
-        # Few are due, and to write costs more than to read.
-        if saved[i]["touched"] & PAIRS_DUE:
-            saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+        for i in range(state["balls"]):
+            # Few are due, and to write costs more than to read.
+            if saved[i]["touched"] & PAIRS_DUE:
+                saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
     state["pairs"] = count
+    state["grid_size"] = 0
     enter_stage(state, PAIRS)
     return DONE
+
+
+def is_counted(state: StateRow) -> bool:
+    """True if the balls were counted in a grid laid ahead, and have not met each other since."""
+    first = state["substep"] == 0 and state["iteration"] == 0
+    return bool(first and state["detection"] == DISCRETE and state["grid_size"] > 0)
 
 
 def keep_due(pairs: Pairs, count: int, saved: Table[SavedRow]) -> int:

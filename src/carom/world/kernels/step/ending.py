@@ -104,6 +104,7 @@ def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> N
     # Most worlds have neither: then the balls need not be looked at.
     if worlds_loss == 0.0 and sleep_speed == 0.0 and state["braked"] == 0:
         return
+    state["doubtful"] = 1
     for i in range(state["balls"]):
         ball = balls[i]
         if ball["asleep"] != 0:

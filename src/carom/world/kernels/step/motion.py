@@ -13,15 +13,27 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 
 
-def move_ball(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> None:
-    """Move a ball along the exact parabola of constant gravity for `duration` seconds."""
+def moved(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> tuple[float, float, float, float]:
+    """The place and the velocity, (x, y, vx, vy), of a ball after `duration` seconds of flight."""
     # Exact for constant gravity, so a fall takes no energy, whatever the substep is.
     half = 0.5 * duration * duration
     vx, vy = float(ball["vx"]), float(ball["vy"])
-    ball["x"] = float(ball["x"]) + (vx * duration + gravity_x * half)
-    ball["y"] = float(ball["y"]) + (vy * duration + gravity_y * half)
-    ball["vx"] = vx + gravity_x * duration
-    ball["vy"] = vy + gravity_y * duration
+    x = float(ball["x"]) + (vx * duration + gravity_x * half)
+    y = float(ball["y"]) + (vy * duration + gravity_y * half)
+    return x, y, vx + gravity_x * duration, vy + gravity_y * duration
+
+
+def put_ball(ball: BallRow, x: float, y: float, vx: float, vy: float) -> None:
+    """Give a ball a place and a velocity."""
+    ball["x"] = x
+    ball["y"] = y
+    ball["vx"] = vx
+    ball["vy"] = vy
+
+
+def unsoundness(x: float, y: float, vx: float, vy: float) -> float:
+    """0 where a place and a velocity are finite, NaN where they are not."""
+    return ((x - x) + (y - y)) + ((vx - vx) + (vy - vy))
 
 
 def move_shapes(

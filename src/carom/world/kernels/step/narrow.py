@@ -30,7 +30,7 @@ from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import DISCRETE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.step.hits import cross_ball, record_hit, write_crossing
-from carom.world.kernels.step.motion import rouse, wake
+from carom.world.kernels.step.motion import rouse, unsoundness, wake
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.kernels.step.room import BY_BALL, FREE, NEAR, barrier, pressed_depth
 from carom.world.kernels.step.spending import spend
@@ -186,6 +186,7 @@ def meet_shape(
     state["found"] += 1
     bounce_off_shape(state, ball, shapes, shape_row, hits[state["hits"]], (px, py, nx, ny, setback), pressed)
     limit_speed(state, ball)
+    doubt(state, ball)
     return share > 0.0
 
 
@@ -298,6 +299,12 @@ def limit_speed(state: StateRow, ball: BallRow) -> None:
         state["slowed"] += 1
 
 
+def doubt(state: StateRow, ball: BallRow) -> None:
+    """Note where a ball that was pushed or turned is not where numbers reach; the step's end looks at all balls."""
+    if unsoundness(float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])) != 0.0:
+        state["doubtful"] = 1
+
+
 def balls_overlap(state: StateRow, first: BallRow, second: BallRow) -> bool:
     """True if two balls overlap, may collide, and are not both asleep."""
     reach = first["radius"] + second["radius"]
@@ -359,6 +366,8 @@ def meet_ball(
     bounce_pair(state, first, second, hit, (px, py, nx, ny, setback))
     limit_speed(state, first)
     limit_speed(state, second)
+    doubt(state, first)
+    doubt(state, second)
     # What only rests on a sleeping ball does not wake it, but it is in the way of shapes now; `finish_substep` puts it
     # back to sleep at once.
     rouse(state, first)

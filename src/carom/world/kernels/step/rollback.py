@@ -4,15 +4,29 @@ from __future__ import annotations
 
 from math import inf
 
+from carom.geometry.vector import larger, smaller
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import BEGIN, DONE, HAS_STRAYS, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, STALE, StateRow
+from carom.rows.state import (
+    BEGIN,
+    DONE,
+    GRID,
+    HAS_STRAYS,
+    MOVE,
+    NOT_FINITE,
+    OTHER_REACH,
+    REFUSED,
+    STALE,
+    StateRow,
+)
 from carom.rows.tables import Table
-from carom.world.kernels.step.motion import wake_all
+from carom.world.kernels.broad_phase.grid import lay_grid
+from carom.world.kernels.step.motion import moved, unsoundness, wake_all
 from carom.world.kernels.step.spending import keep_spent, unspend
+from carom.world.kernels.step.times import substep_length
 
 
 def is_finite(value: float) -> bool:
@@ -23,8 +37,16 @@ def is_finite(value: float) -> bool:
 
 def is_sound(ball: BallRow) -> bool:
     """True if a ball's place and velocity are finite."""
-    moving = is_finite(float(ball["x"])) and is_finite(float(ball["y"]))
-    return moving and is_finite(float(ball["vx"])) and is_finite(float(ball["vy"]))
+    return unsoundness(float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])) == 0.0
+
+
+def balls_are_sound(state: StateRow, balls: Table[BallRow]) -> bool:
+    """True if the places and velocities of all balls are finite."""
+    lost = 0.0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        lost += unsoundness(float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"]))
+    return lost == 0.0
 
 
 def is_measured(ball: BallRow) -> bool:
@@ -35,11 +57,19 @@ def is_measured(ball: BallRow) -> bool:
 
 def is_allowed(ball: BallRow) -> bool:
     """True if a ball's radius, mass, elasticity and friction are finite and what they may be."""
-    friction = float(ball["friction"])
-    fit = (
-        0.0 < float(ball["radius"]) < inf and 0.0 < float(ball["mass"]) < inf and 0.0 <= float(ball["elasticity"]) < inf
-    )
-    return fit and (friction == OF_WORLD or 0.0 <= friction < inf)
+    friction = ball["friction"]
+    fit = ball["radius"] > 0.0 and ball["mass"] > 0.0 and ball["elasticity"] >= 0.0
+    return bool(fit and (friction == OF_WORLD or friction >= 0.0)) and is_measured(ball)
+
+
+def is_good(ball: BallRow) -> bool:
+    """True if a ball is sound and allowed, which is seen at one go."""
+    radius, mass = float(ball["radius"]), float(ball["mass"])
+    elasticity, friction = float(ball["elasticity"]), float(ball["friction"])
+    fit = radius > 0.0 and mass > 0.0 and elasticity >= 0.0 and (friction == OF_WORLD or friction >= 0.0)
+    # Zero times what is not finite is NaN, so this is zero if all are finite.
+    motion = 0.0 * float(ball["x"]) * float(ball["y"]) * float(ball["vx"]) * float(ball["vy"])
+    return fit and motion * radius * mass * elasticity * friction == 0.0
 
 
 def is_in_reach(shape: ShapeRow) -> bool:
@@ -66,21 +96,16 @@ def begin_step(
 ) -> int:
     """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
     state = states[0]
-    # Nothing is changed before all balls are found good: a refused step leaves no trace.
-    largest = 0.0
-    braked = 0
-    for i in range(state["balls"]):
-        ball = balls[i]
-        if not (is_sound(ball) and is_allowed(ball)):
-            return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
-        largest = max(largest, float(ball["radius"]))
-        if ball["friction"] != OF_WORLD:
-            braked += 1
-    if state["sleeping"] > 0 and state["wake"] == 0 and was_changed(state, balls, saved):
-        state["wake"] = 1
+    status, largest, braked = look_at_balls(state, balls, saved)
+    if status != DONE:
+        return status
+    if state["sleeping"] > 0:
+        if state["wake"] == 0 and was_changed(state, balls, saved):
+            state["wake"] = 1
+        save_balls(state, balls, saved)
     state["step_hits"] = state["hits"]
     list_restless(state, shapes, order)
-    save(states, balls, shapes, order, saved, relations)
+    save(states, shapes, order, relations)
     if state["wake"] != 0:
         wake_all(state, balls)
         state["wake"] = 0
@@ -114,6 +139,45 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
     state["movers"] = found
 
 
+def look_at_balls(
+    state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]
+) -> tuple[int, float, int]:  # fmt: skip
+    """DONE, or what is wrong with a ball; the largest radius, and how many balls have a friction of their own.
+
+    Where none sleeps nobody will ask what was kept of the balls before, so what a step may change in them is kept in
+    the same go, and where they come to in the first substep, shapes aside: `state["met_noted"]` says so. Around these
+    places a grid is laid where one serves.
+    """
+    awake = state["sleeping"] == 0
+    duration = substep_length(state)
+    gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
+    left, bottom, right, top = inf, inf, -inf, -inf
+    smallest, largest = inf, 0.0
+    braked = 0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        if not is_good(ball):
+            return (REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE), largest, braked
+        radius = float(ball["radius"])
+        smallest, largest = smaller(smallest, radius), larger(largest, radius)
+        braked += int(ball["friction"] != OF_WORLD)
+        if awake:
+            kept = saved[i]
+            save_ball(ball, kept)
+            x, y, _vx, _vy = moved(ball, duration, gravity_x, gravity_y)
+            kept["met_x"] = x
+            kept["met_y"] = y
+            left, bottom = smaller(left, x), smaller(bottom, y)
+            right, top = larger(right, x), larger(top, y)
+    state["grid_size"] = 0
+    if awake and state["balls"] > 1 and state["broad_phase"] == GRID:
+        lay_grid(state, left, bottom, right, top, smallest, largest)
+    state["met_noted"] = int(awake)
+    # Those that are found in a grid, and keep their velocities, are sound still.
+    state["doubtful"] = int(state["grid_size"] == 0 or gravity_x != 0.0 or gravity_y != 0.0)
+    return DONE, largest, braked
+
+
 def was_changed(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> bool:
     """True if a ball is not as the last step left it: it was changed through a view."""
     for i in range(state["balls"]):
@@ -126,31 +190,29 @@ def was_changed(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) 
 def save_balls(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:
     """Keep what a step may change in the balls."""
     for i in range(state["balls"]):
-        ball, kept = balls[i], saved[i]
-        kept["x"] = ball["x"]
-        kept["y"] = ball["y"]
-        kept["vx"] = ball["vx"]
-        kept["vy"] = ball["vy"]
-        kept["still_time"] = ball["still_time"]
-        kept["relation"] = ball["relation"]
-        kept["asleep"] = ball["asleep"]
-        kept["stray"] = ball["stray"]
-        kept["touched"] = 0
-        kept["met_x"] = ball["x"]
-        kept["met_y"] = ball["y"]
+        save_ball(balls[i], saved[i])
+
+
+def save_ball(ball: BallRow, kept: SavedRow) -> None:
+    """The same of one ball."""
+    kept["x"] = ball["x"]
+    kept["y"] = ball["y"]
+    kept["vx"] = ball["vx"]
+    kept["vy"] = ball["vy"]
+    kept["still_time"] = ball["still_time"]
+    kept["relation"] = ball["relation"]
+    kept["asleep"] = ball["asleep"]
+    kept["stray"] = ball["stray"]
+    kept["touched"] = 0
+    kept["met_x"] = ball["x"]
+    kept["met_y"] = ball["y"]
 
 
 def save(
-    states: Table[StateRow],
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    order: Table[int],
-    saved: Table[SavedRow],
-    relations: Table[RelationRow],
-) -> None:
-    """Keep all that a step may change: balls, state, shapes that move (behind the shapes), relations (upper half)."""
+    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow]
+) -> None:  # fmt: skip
+    """Keep what a step may change but balls: state, shapes that move (behind the shapes), relations (upper half)."""
     state = states[0]
-    save_balls(state, balls, saved)
     count = int(state["shapes"])
     for k in range(count, count + state["movers"]):
         # Others do not change in a step but by switching themselves off, so they need no copy.
@@ -212,10 +274,9 @@ def end_step(
 ) -> int:
     """DONE when the step is complete; HAS_STRAYS if balls are to be removed; NOT_FINITE if it was rolled back."""
     state = states[0]
-    for i in range(state["balls"]):
-        if not is_sound(balls[i]):
-            roll_back(states, balls, shapes, order, saved, relations)
-            return NOT_FINITE
+    if state["doubtful"] != 0 and not balls_are_sound(state, balls):
+        roll_back(states, balls, shapes, order, saved, relations)
+        return NOT_FINITE
     if state["bounded"] != 0:
         find_strays(state, balls)
     if state["sleeping"] > 0:

@@ -2,8 +2,20 @@
 
 from math import inf, nan
 
-from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL
-from carom.world.kernels.broad_phase.grid import cell_of, grid_size, level_of, wrapped_size
+import numpy as np
+
+from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GRID_CELLS_PER_BALL
+from carom.rows.index import SLOT
+from carom.world.kernels.broad_phase.grid import (
+    cell_of,
+    count_ball,
+    grid_ahead,
+    grid_size,
+    lay_grid,
+    level_of,
+    wrapped_size,
+)
+from tests.kernel_calls import ball_rows, pairs_found_ahead, state_row
 
 
 def test_a_cell_holds_its_lower_border() -> None:
@@ -25,10 +37,10 @@ def test_a_level_s_cells_are_as_wide_as_its_balls() -> None:
 
 
 def test_a_small_box_is_numbered_densely_and_a_large_one_wraps() -> None:
-    size, stride, mask = grid_size(10.0, 6.0, 2.0, 100)
+    size, stride, mask = grid_size(10.0, 6.0, 2.0, 100, GRID_CELLS_PER_BALL)
     assert (size, stride, mask) == (8 * 7, 8, -1)
     for width, height in ((1e9, 6.0), (6.0, 1e9), (inf, inf), (nan, nan)):
-        size, stride, mask = grid_size(width, height, 2.0, 100)
+        size, stride, mask = grid_size(width, height, 2.0, 100, GRID_CELLS_PER_BALL)
         assert size == mask + 1 == 256
         assert 3 <= stride < size - 3
     assert wrapped_size(1_000_000)[0] <= 64 + 4_000_000
@@ -42,3 +54,25 @@ def test_nine_cells_around_one_have_nine_numbers_however_they_wrap() -> None:
             assert len({(centre + step) & mask for step in around}) == 9
             # None of the four that follow is one of the four before, or a pair would be found twice.
             assert len({(-step) & mask for step in around[5:]} & set(around[5:])) == 0
+
+
+def test_no_grid_is_laid_ahead_for_balls_of_very_different_sizes() -> None:
+    assert pairs_found_ahead(ball_rows([(0, 0, 1.0), (1, 0, 0.6)])) == [(0, 1)]
+    assert pairs_found_ahead(ball_rows([(0, 0, 1.0), (1, 0, 0.4)])) is None
+
+
+def test_a_ball_may_leave_a_grid_laid_ahead_by_its_width_and_not_by_much_more() -> None:
+    rows = ball_rows([(0, 0, 1.0), (10, 10, 1.0)])
+    state = state_row(rows, "grid", 6)
+    slots, starts = np.zeros(6, SLOT), np.zeros(256, "i4")
+    for width in (4.0, 1e9):
+        lay_grid(state, 0.0, 0.0, width, width, 1.0, 1.0)
+        assert (state["grid_mask"] == -1) == (width == 4.0)
+        for off, is_in in ((1.9, True), (1e10, False), (inf, False), (nan, False)):
+            for x, y in ((-off, 0.0), (width + off, 0.0), (0.0, -off), (0.0, width + off)):
+                rows["x"][0], rows["y"][0] = x, y
+                assert count_ball(grid_ahead(state), slots, starts, 0, rows[0]) is is_in
+    lay_grid(state, 0.0, 0.0, 4.0, 4.0, 1.0, 1.0)
+    for rows["x"][0] in (-2.1, 6.1):
+        rows["y"][0] = 1.0
+        assert not count_ball(grid_ahead(state), slots, starts, 0, rows[0])

@@ -2,13 +2,20 @@
 
 from math import inf, nan
 
+import numpy as np
 import pytest
 
-from carom import Ball, Circle, Point, Segment, World
+from carom import Arc, Ball, Circle, Point, Segment, World
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
+    Front,
+    any_box_meets,
+    cell_near,
     cell_side,
+    cell_span,
+    front_of,
+    is_free,
     locate,
     rest_of_cell,
 )
@@ -99,3 +106,73 @@ def test_a_larger_ball_is_served_when_it_comes(phase: str) -> None:
     world.balls.radius[1] = 72
     world.balls.velocity[1] = (-1, 0)
     assert [hit.shape for hit in world.step(0.01)][:1] == [post]
+
+
+def front(world: World) -> Front:
+    """What is asked first of a world's index."""
+    return front_of(world._arrays.states[0], world._arrays.index)
+
+
+@pytest.mark.parametrize("count", [1, 4, 20, 70])
+@pytest.mark.parametrize("far", [0.0, 1e9])
+def test_no_ball_is_passed_over_whose_box_meets_that_of_a_shape(count: int, far: float) -> None:
+    rng = np.random.default_rng(count)
+    world = World()
+    for k in range(count):
+        x, y, wide, high = rng.uniform(-9, 9, 4)
+        x, y = x + far, y - far
+        made = (
+            Point((x, y)),
+            Segment((x, y), (x + wide, y + high)),
+            Circle((x, y), abs(wide)),
+            Arc((x, y), 2, wide, 9),
+        )
+        world.add(made[k % 4])
+    prepare_index(world, 0.5)
+    arrays, seen = world._arrays, front(world)
+    shapes, radius = arrays.shapes.rows, 0.5
+    places = (rng.uniform(-20, 20, (40, 2)) + np.array((far, -far))).tolist()
+    for row in shapes[:count]:
+        places += [
+            (float(row["left"]) - radius, float(row["bottom"])),
+            (float(row["right"]) + radius, float(row["top"])),
+        ]
+    met = passed = 0
+    for x, y in places:
+        listed = np.array(found_shapes(world, FIXED, x, y), "i4")
+        cell = cell_near(arrays.cells, seen, x, y)
+        if any_box_meets(shapes, listed, 0, len(listed), x, y, radius):
+            met += 1
+            assert not is_free(seen, x, y)
+            assert any_box_meets(shapes, arrays.members, *cell_span(arrays.cells, cell), x, y, radius)
+        passed += is_free(seen, x, y) or cell < 0
+    assert met > 0
+    assert passed > 0
+
+
+def test_most_of_a_room_is_free() -> None:
+    world = World()
+    corners = ((0, 0), (100, 0), (100, 80), (0, 80))
+    for k, corner in enumerate(corners):
+        world.add(Segment(corner, corners[k - 1]), Point(corner))
+    prepare_index(world, 0.5)
+    seen = front(world)
+    assert all(is_free(seen, x, y) for x in (0.51, 50, 99.49) for y in (0.51, 40, 79.49))
+    assert not any(is_free(seen, x, y) for x, y in ((0.49, 40), (99.51, 40), (50, 0.49), (50, 79.51), (nan, 40)))
+    # And of a cell that has a wall in it only what is near that wall is looked at more closely.
+    assert cell_near(world._arrays.cells, seen, 0.49, 40.0) >= 0
+    assert cell_near(world._arrays.cells, seen, 2.5, 40.0) == -1
+    assert found_shapes(world, FIXED, 2.5, 40.0) != []
+
+
+def test_where_shapes_move_or_there_is_no_grid_nothing_is_free() -> None:
+    moving = World()
+    moving.add(Segment((0, 0), (10, 0)), Point((5, 5), motion="kinematic", velocity=(1, 0)))
+    prepare_index(moving, 0.5)
+    tree = World(broad_phase="quadtree")
+    tree.add(Segment((0, 0), (10, 0)))
+    prepare_index(tree, 0.5)
+    empty = World()
+    prepare_index(empty, 0.5)
+    assert [is_free(front(world), 5.0, 3.0) for world in (moving, tree, empty)] == [False, False, True]
+    assert [front(world)[0] for world in (moving, tree, empty)] == [False, False, True]

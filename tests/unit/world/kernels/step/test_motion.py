@@ -8,8 +8,9 @@ import pytest
 from carom import Ball, Segment
 from carom.rows.tables import Row
 from carom.world.kernels.step.motion import (
-    move_ball,
     move_shapes,
+    moved,
+    put_ball,
     rouse,
     slow_by_friction,
     turning_bulge,
@@ -29,9 +30,9 @@ def ball_row(*values: float) -> Row:
 
 def test_a_ball_moves_along_its_parabola_in_one_substep_or_in_many() -> None:
     whole, parts = ball_row(1.0, 2.0, 3.0, -4.0), ball_row(1.0, 2.0, 3.0, -4.0)
-    move_ball(whole, 0.5, 0.25, -10.0)
+    put_ball(whole, *moved(whole, 0.5, 0.25, -10.0))
     for _ in range(8):
-        move_ball(parts, 0.0625, 0.25, -10.0)
+        put_ball(parts, *moved(parts, 0.0625, 0.25, -10.0))
     expected = 1 + 3 * 0.5 + 0.25 * 0.125, 2 - 4 * 0.5 - 10 * 0.125, 3 + 0.25 * 0.5, -4 - 10 * 0.5
     for row in (whole, parts):
         assert tuple(row[name] for name in ("x", "y", "vx", "vy")) == pytest.approx(expected, rel=1e-14)

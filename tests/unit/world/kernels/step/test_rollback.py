@@ -99,6 +99,8 @@ def test_a_step_that_leaves_a_ball_infinite_is_undone() -> None:
     assert begun(arrays) == DONE
     before = arrays.balls.used.tobytes()
     arrays.balls.rows["x"] = 3.0, nan
+    # Whatever moves or turns a ball looks whether it is sound still, and notes where it is not.
+    arrays.states[0]["doubtful"] = 1
     found = end_step(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
     assert found == NOT_FINITE
     assert arrays.balls.used.tobytes() == before

@@ -1,0 +1,279 @@
+"""Rounds in which balls meet the shapes near them: in the first they move, later ones see to what was pushed since."""
+
+from __future__ import annotations
+
+from carom.constants import NEW_CELLS
+from carom.rows.ball import BallRow
+from carom.rows.hit import HitRow
+from carom.rows.index import IndexRow, PairTables, ShapeIndex, SlotRow
+from carom.rows.masks import may_collide
+from carom.rows.pose import is_moving
+from carom.rows.relation import RelationRow
+from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.shape import ShapeRow
+from carom.rows.state import DISCRETE, DONE, FIND_PAIRS, FINISH, NEEDS_PAIRS, NEEDS_ROOM, StateRow
+from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.grid import clear_grid, count_ball, grid_ahead
+from carom.world.kernels.broad_phase.shape_index import (
+    FIXED,
+    MOVING,
+    Front,
+    any_box_meets,
+    cell_near,
+    cell_span,
+    front_of,
+    is_free,
+    locate,
+    rest_of_cell,
+)
+from carom.world.kernels.step.motion import moved, put_ball, unsoundness
+from carom.world.kernels.step.narrow import Way, boxes_apart, meet_shape
+from carom.world.kernels.step.seams import overlap_beside_walls
+from carom.world.kernels.step.stages import enter_stage, lacks_room
+from carom.world.kernels.step.times import substep_length
+
+
+def meet_all_shapes(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    shape_index: ShapeIndex,
+    pair_tables: PairTables,
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when every ball has moved (first iteration) and met the shapes near it.
+
+    NEEDS_ROOM if hits or relations ran out, NEEDS_PAIRS if there are too few cells. After the last iteration come the
+    shapes at rest alone, the static ones at the end.
+    """
+    first = state["iteration"] == 0 and state["detection"] == DISCRETE
+    if first and state["sleeping"] == 0:
+        return meet_first_shapes(state, balls, shapes, shape_index, pair_tables, saved, hits, relations)
+    index = shape_index[0]
+    # One round more than there are iterations: shapes at rest have the last word, whatever pairs did.
+    settling = state["iteration"] == state["iterations"]
+    kept = PAIRS_DUE | COUNTED if state["iteration"] > 0 else 0
+    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
+    most = most_meetings(state, index)
+    front = front_of(state, index)
+    slots = pair_tables[0]
+    if state["stage_entered"] == 0:
+        state["near"] = state["balls"] if first else list_due(state, slots, saved)
+        state["stage_entered"] = 1
+    for k in range(state["cursor"], state["near"]):
+        i = k if first else int(slots[k]["ball"])
+        ball, mark = balls[i], saved[i]
+        if ball["asleep"] != 0:
+            note_pairs_due(state, mark)
+            continue
+        if lacks_room(state, len(hits), len(relations), k, most):
+            return NEEDS_ROOM
+        from_x, from_y = float(ball["x"]), float(ball["y"])
+        if first:
+            x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
+            put_ball(ball, x, y, vx, vy)
+            if unsoundness(x, y, vx, vy) != 0.0:
+                state["doubtful"] = 1
+        mark["touched"] &= kept
+        near, looked = has_near(ball, shapes, shape_index, front)
+        state["box_tests"] += looked
+        if near:
+            way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
+            meet_shapes_near(state, ball, i, shapes, shape_index, hits, relations, mark, first, settling, way)
+            note_pairs_due(state, mark)
+        note_met(mark, ball)
+    enter_stage(state, FINISH if settling else FIND_PAIRS)
+    return DONE
+
+
+def list_due(state: StateRow, slots: Table[SlotRow], saved: Table[SavedRow]) -> int:
+    """List in the slots the rows of the balls that are due to meet shapes again; returns how many there are.
+
+    Few are: a branch for each ball costs more than to write all.
+    """
+    listed = 0
+    for i in range(state["balls"]):
+        slots[listed]["ball"] = i
+        listed += int(saved[i]["touched"] & SHAPES_DUE != 0)
+    return listed
+
+
+def meet_first_shapes(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    shape_index: ShapeIndex,
+    pair_tables: PairTables,
+    saved: Table[SavedRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+) -> int:
+    """The same in the first iteration where none sleeps.
+
+    In the same go they are counted in the grid that was laid ahead, if there is one.
+    """
+    slots, starts, _pairs = pair_tables
+    if state["stage_entered"] == 0 and not clear_grid(state, starts):
+        return NEEDS_PAIRS
+    if state["stage_entered"] == 0:
+        if state["substep"] > 0 or state["met_noted"] == 0:
+            note_all_met(state, balls, saved)
+        launch_balls(state, balls, shape_index, slots, starts)
+        state["stage_entered"] = 1
+    most = most_meetings(state, shape_index[0])
+    front = front_of(state, shape_index[0])
+    grid = grid_ahead(state)
+    for k in range(state["cursor"], state["near"]):
+        if lacks_room(state, len(hits), len(relations), k, most):
+            return NEEDS_ROOM
+        i = int(slots[k]["ball"])
+        ball, mark = balls[i], saved[i]
+        near, looked = has_near(ball, shapes, shape_index, front)
+        state["box_tests"] += looked
+        if near:
+            way = (float(slots[k]["x"]), float(slots[k]["y"]), float(ball["x"]), float(ball["y"]))
+            meet_shapes_near(state, ball, i, shapes, shape_index, hits, relations, mark, True, False, way)
+            note_pairs_due(state, mark)
+            note_met(mark, ball)
+        if state["grid_size"] > 0 and not count_ball(grid, slots, starts, i, ball):
+            leave_grid(state)
+    enter_stage(state, FIND_PAIRS)
+    return DONE
+
+
+def launch_balls(
+    state: StateRow,
+    balls: Table[BallRow],
+    shape_index: ShapeIndex,
+    slots: Table[SlotRow],
+    starts: Table[int],
+) -> None:
+    """Move the balls; list those that have shapes near, and count the others in the grid that was laid ahead, if any.
+
+    The list stands in the slots, with the places from which they came. A loop with no more in it than this
+    keeps what it needs in registers.
+    """
+    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
+    front = front_of(state, shape_index[0])
+    grid = grid_ahead(state)
+    laid = state["grid_size"] > 0
+    listed = 0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        from_x, from_y = float(ball["x"]), float(ball["y"])
+        x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
+        put_ball(ball, x, y, vx, vy)
+        if not is_free(front, x, y):
+            slots[listed]["ball"] = i
+            slots[listed]["x"] = from_x
+            slots[listed]["y"] = from_y
+            listed += 1
+            continue
+        if laid and not count_ball(grid, slots, starts, i, ball):
+            laid = False
+            leave_grid(state)
+    state["near"] = listed
+
+
+def leave_grid(state: StateRow) -> None:
+    """Do without the grid that was laid ahead: a ball was pushed far out of it, or is not where numbers reach."""
+    state["grid_size"] = 0
+    state["doubtful"] = 1
+
+
+def note_all_met(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:
+    """Note where all balls come to in a substep, shapes aside, and that none has touched anything yet."""
+    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
+    for i in range(state["balls"]):
+        mark = saved[i]
+        mark["touched"] = 0
+        x, y, _vx, _vy = moved(balls[i], duration, gravity_x, gravity_y)
+        mark["met_x"] = x
+        mark["met_y"] = y
+    state["doubtful"] = 1
+
+
+def has_near(
+    ball: BallRow, shapes: Table[ShapeRow], shape_index: ShapeIndex, front: Front
+) -> tuple[bool, int]:  # fmt: skip
+    """False where the box of a ball surely meets none of the shapes, and how many were compared to see that."""
+    _index, cells, members = shape_index
+    x, y = float(ball["x"]), float(ball["y"])
+    if not front[0]:
+        return True, 0
+    if is_free(front, x, y):
+        return False, 0
+    cell = cell_near(cells, front, x, y)
+    if cell < 0:
+        return False, 0
+    begin, end = cell_span(cells, cell)
+    if any_box_meets(shapes, members, begin, end, x, y, float(ball["radius"])):
+        return True, 0
+    return False, end - begin
+
+
+def meet_shapes_near(
+    state: StateRow,
+    ball: BallRow,
+    i: int,
+    shapes: Table[ShapeRow],
+    shape_index: ShapeIndex,
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    mark: SavedRow,
+    first: bool,
+    settling: bool,
+    way: Way,
+) -> None:
+    """Let a ball meet the shapes that the index has for its place; there must be room. The rest as in `meet_shape`."""
+    index, cells, members = shape_index
+    for turn in range(2):
+        # Static shapes last in that round: what moves may push a ball into a wall, never the reverse.
+        entry = index[1 - turn if settling else turn]
+        cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+        k, end = cell_span(cells, cell)
+        state["box_tests"] += end - k
+        left = NEW_CELLS
+        while k < end:
+            row = int(members[k])
+            k += 1
+            shape = shapes[row]
+            if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
+                continue
+            contact = overlap_beside_walls(state, ball, shape, shapes, shape_index, relations, first, way)
+            if contact is None:
+                continue
+            px, py, nx, ny, setback = contact
+            touch = (px, py, nx, ny, setback)
+            pushed = meet_shape(state, ball, i, shapes, row, shape_index, hits, relations, mark, first, way, touch)
+            # A push may have taken it into another cell, whose shapes it meets from there on, in the same order.
+            if pushed and left > 0:
+                new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                if new_cell != cell:
+                    left -= 1
+                    cell = new_cell
+                    state["box_tests"] -= end - k
+                    k, end = rest_of_cell(shapes, cells, members, cell, row)
+                    state["box_tests"] += end - k
+
+
+def note_pairs_due(state: StateRow, mark: SavedRow) -> None:
+    """Note in the first iteration that a ball's pairs are not due again: those of all balls are to come."""
+    if state["iteration"] == 0:
+        mark["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+
+
+def note_met(mark: SavedRow, ball: BallRow) -> None:
+    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
+    mark["met_x"] = ball["x"]
+    mark["met_y"] = ball["y"]
+
+
+def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:
+    """How many shapes a ball can meet in one iteration at most."""
+    fixed, moving = int(state["fixed"]), int(state["shapes"] - state["fixed"])
+    # The cell that it was in, and those that pushes may take it into.
+    lists = 1 + NEW_CELLS
+    return min(lists * int(index[FIXED]["longest"]), fixed) + min(lists * int(index[MOVING]["longest"]), moving)

@@ -1,0 +1,97 @@
+"""Rounds of balls that meet shapes: grids laid ahead that a ball leaves, and what is looked at in the end."""
+
+from copy import copy
+from math import nan
+
+import numpy as np
+import pytest
+
+import carom
+from carom import Ball, Circle, Point, Segment
+from carom.rows.index import SLOT
+from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
+from carom.rows.state import DONE
+from carom.world.kernels.step.rollback import begin_step
+from carom.world.kernels.step.rounds import list_due
+from tests.kernel_calls import ball_rows, prepared, state_row
+from tests.worlds import bits, world_of
+
+HUGE = 1.5e308
+
+
+def test_balls_that_a_shape_pushes_far_out_of_their_grid_still_meet_each_other() -> None:
+    ways = {}
+    for phase in ("grid", "brute"):
+        world = world_of(
+            Circle((0, 0), 50, solid=True), Ball((1, 0), 1), Ball((3, 0.05), 1), broad_phase=phase, substeps=1
+        )
+        hits = world.step(0.01)
+        ways[phase] = world.balls.position.tobytes(), bits(hits)
+        assert world.statistics.full_tests > 2
+        assert np.hypot(*np.subtract(*world.balls.position)) > 1.9
+    assert ways["grid"] == ways["brute"]
+
+
+def test_the_grid_that_is_laid_ahead_holds_for_the_first_search_alone() -> None:
+    positions = {}
+    for phase in ("grid", "brute"):
+        world = carom.World(broad_phase=phase, substeps=3, iterations=4)
+        world.add_balls(np.stack([1.7 * np.arange(9.0), np.zeros(9)], axis=1), (0.0, 0.0), radius=1.0)
+        world.step(1 / 60)
+        positions[phase] = world.balls.position
+        assert world._arrays.states[0]["grid_size"] == 0
+    assert np.allclose(positions["grid"], positions["brute"], atol=0.2)
+
+
+@pytest.mark.parametrize(
+    "members",
+    [
+        # Flies where numbers do not reach, alone and with others, by itself and by gravity.
+        (Ball((0, 0), 1, velocity=(HUGE, 0)),),
+        (Ball((0, 0), 1, velocity=(HUGE, 0)), Ball((9, 9), 1)),
+        (Ball((0, 0), 1, velocity=(HUGE, 0)), Ball((9, 9), 1, velocity=(HUGE, 0))),
+        # Is turned so fast by a shape, and by another ball.
+        (Segment((-5, 0), (5, 0), elasticity=9), Ball((0, 0.9), 1, velocity=(0, -HUGE / 1e3), elasticity=1e3)),
+        (Ball((0, 0), 1, velocity=(HUGE, 0), mass=1e3), Ball((1.9, 0), 1)),
+    ],
+)
+@pytest.mark.parametrize("substeps", [1, 3])
+def test_a_step_that_takes_a_ball_where_numbers_do_not_reach_is_undone(
+    members: tuple[carom.Shape, ...], substeps: int
+) -> None:
+    flies = len(members) == 1 or (isinstance(members[1], Ball) and members[1].position == (9, 9))
+    world = world_of(*map(copy, members), substeps=substeps)
+    before = world.snapshot()
+    with pytest.raises(carom.NonFiniteState):
+        world.step(3.0 if flies else 1e-310)
+    assert world.snapshot() == before
+
+
+def test_gravity_is_seen_to_take_a_ball_where_numbers_do_not_reach() -> None:
+    falling = [Ball((x, 0), 1, velocity=(0, -HUGE)) for x in (0, 5)]
+    world = world_of(*falling, gravity=(0, -HUGE), substeps=1)
+    before = world.snapshot()
+    with pytest.raises(carom.NonFiniteState):
+        world.step(0.5)
+    assert world.snapshot() == before
+
+
+def test_places_are_noted_ahead_where_none_sleeps() -> None:
+    arrays = prepared(world_of(Point((9, 9)), Ball((0, 0), 1, velocity=(2, 4)), Ball((5, 5), 1), substeps=2))
+    arrays.states[0]["dt"] = 1.0
+    tables = arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+    assert begin_step(*tables) == DONE
+    assert arrays.states[0]["met_noted"] == 1
+    assert [arrays.saved[name][0] for name in ("x", "y", "met_x", "met_y")] == [0, 0, 1, 2]
+    arrays.states[0]["sleeping"] = 1
+    assert begin_step(*tables) == DONE
+    assert (arrays.states[0]["met_noted"], arrays.states[0]["grid_size"]) == (0, 0)
+
+
+def test_those_that_are_due_are_listed_in_the_order_of_their_rows() -> None:
+    rows = ball_rows([(0, 0, 1)] * 6)
+    saved, slots = np.zeros(6, SAVED), np.zeros(14, SLOT)
+    saved["touched"] = SHAPES_DUE, PAIRS_DUE, MET, SHAPES_DUE | MET, 0, SHAPES_DUE | PAIRS_DUE
+    slots["x"] = nan
+    assert list_due(state_row(rows, "grid", 6), slots, saved) == 3
+    assert slots["ball"][:3].tolist() == [0, 3, 5]
