@@ -101,6 +101,10 @@ FEW_BALLS = 64
 #: speed alone.
 FEW_TO_ASK = 8
 
+#: Balls up to this many are moved, and meet shapes, one after the other. Of more, those that may meet a shape are
+#: listed first, and all are put into the cells of a grid meanwhile. Changes the speed and the order of pairs alone.
+FEW_TO_SORT = 8
+
 #: Times that a ball which shapes push out of its cell goes on with those near its new place, in one iteration; then the
 #: next iteration does. Fewer, and broad phases may differ in which of two shapes pushes a ball first; more, and a world
 #: needs more room for hits.

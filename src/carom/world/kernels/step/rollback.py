@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
+from carom.constants import FEW_TO_SORT
 from carom.geometry.vector import larger, smaller
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.pose import is_at_rest
@@ -145,10 +146,11 @@ def look_at_balls(
     """DONE, or what is wrong with a ball; the largest radius, and how many balls have a friction of their own.
 
     Where none sleeps nobody will ask what was kept of the balls before, so what a step may change in them is kept in
-    the same go, and where they come to in the first substep, shapes aside: `state["met_noted"]` says so. Around these
-    places a grid is laid where one serves.
+    the same go; of more than a few also where they come to in the first substep, shapes aside: `state["met_noted"]`
+    says so. Around these places a grid is laid where one serves.
     """
     awake = state["sleeping"] == 0
+    ahead = awake and state["balls"] > FEW_TO_SORT
     duration = substep_length(state)
     gravity_x, gravity_y = float(state["gravity_x"]), float(state["gravity_y"])
     left, bottom, right, top = inf, inf, -inf, -inf
@@ -161,18 +163,19 @@ def look_at_balls(
         radius = float(ball["radius"])
         smallest, largest = smaller(smallest, radius), larger(largest, radius)
         braked += int(ball["friction"] != OF_WORLD)
+        kept = saved[i]
         if awake:
-            kept = saved[i]
             save_ball(ball, kept)
+        if ahead:
             x, y, _vx, _vy = moved(ball, duration, gravity_x, gravity_y)
             kept["met_x"] = x
             kept["met_y"] = y
             left, bottom = smaller(left, x), smaller(bottom, y)
             right, top = larger(right, x), larger(top, y)
     state["grid_size"] = 0
-    if awake and state["balls"] > 1 and state["broad_phase"] == GRID:
+    if ahead and state["broad_phase"] == GRID:
         lay_grid(state, left, bottom, right, top, smallest, largest)
-    state["met_noted"] = int(awake)
+    state["met_noted"] = int(ahead)
     # Those that are found in a grid, and keep their velocities, are sound still.
     state["doubtful"] = int(state["grid_size"] == 0 or gravity_x != 0.0 or gravity_y != 0.0)
     return DONE, largest, braked

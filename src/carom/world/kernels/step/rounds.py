@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from carom.constants import NEW_CELLS
+from carom.constants import FEW_TO_SORT, NEW_CELLS
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import IndexRow, PairTables, ShapeIndex, SlotRow
@@ -49,7 +49,7 @@ def meet_all_shapes(
     shapes at rest alone, the static ones at the end.
     """
     first = state["iteration"] == 0 and state["detection"] == DISCRETE
-    if first and state["sleeping"] == 0:
+    if first and state["sleeping"] == 0 and state["balls"] > FEW_TO_SORT:
         return meet_first_shapes(state, balls, shapes, shape_index, pair_tables, saved, hits, relations)
     index = shape_index[0]
     # One round more than there are iterations: shapes at rest have the last word, whatever pairs did.

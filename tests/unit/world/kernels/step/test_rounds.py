@@ -8,6 +8,7 @@ import pytest
 
 import carom
 from carom import Ball, Circle, Point, Segment
+from carom.constants import FEW_TO_SORT
 from carom.rows.index import SLOT
 from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
 from carom.rows.state import DONE
@@ -19,16 +20,23 @@ from tests.worlds import bits, world_of
 HUGE = 1.5e308
 
 
-def test_balls_that_a_shape_pushes_far_out_of_their_grid_still_meet_each_other() -> None:
+def crowd(first: float) -> list[Ball]:
+    """So many balls, at rest and apart, that a world with them sorts its balls into a grid that is laid ahead."""
+    return [Ball((first - 3.0 * k, 20), 1) for k in range(FEW_TO_SORT)]
+
+
+@pytest.mark.parametrize("many", [False, True])
+def test_balls_that_a_shape_pushes_far_out_of_their_grid_still_meet_each_other(many: bool) -> None:
     ways = {}
     for phase in ("grid", "brute"):
         world = world_of(
             Circle((0, 0), 50, solid=True), Ball((1, 0), 1), Ball((3, 0.05), 1), broad_phase=phase, substeps=1
         )
+        world.add(*(crowd(-2.0) if many else ()))
         hits = world.step(0.01)
         ways[phase] = world.balls.position.tobytes(), bits(hits)
         assert world.statistics.full_tests > 2
-        assert np.hypot(*np.subtract(*world.balls.position)) > 1.9
+        assert np.hypot(*np.subtract(*world.balls.position[:2])) > 1.9
     assert ways["grid"] == ways["brute"]
 
 
@@ -56,11 +64,12 @@ def test_the_grid_that_is_laid_ahead_holds_for_the_first_search_alone() -> None:
     ],
 )
 @pytest.mark.parametrize("substeps", [1, 3])
+@pytest.mark.parametrize("many", [False, True])
 def test_a_step_that_takes_a_ball_where_numbers_do_not_reach_is_undone(
-    members: tuple[carom.Shape, ...], substeps: int
+    members: tuple[carom.Shape, ...], many: bool, substeps: int
 ) -> None:
     flies = len(members) == 1 or (isinstance(members[1], Ball) and members[1].position == (9, 9))
-    world = world_of(*map(copy, members), substeps=substeps)
+    world = world_of(*map(copy, members), *(crowd(-9.0) if many else ()), substeps=substeps)
     before = world.snapshot()
     with pytest.raises(carom.NonFiniteState):
         world.step(3.0 if flies else 1e-310)
@@ -68,7 +77,7 @@ def test_a_step_that_takes_a_ball_where_numbers_do_not_reach_is_undone(
 
 
 def test_gravity_is_seen_to_take_a_ball_where_numbers_do_not_reach() -> None:
-    falling = [Ball((x, 0), 1, velocity=(0, -HUGE)) for x in (0, 5)]
+    falling = [Ball((5 * x, 0), 1, velocity=(0, -HUGE)) for x in range(FEW_TO_SORT + 1)]
     world = world_of(*falling, gravity=(0, -HUGE), substeps=1)
     before = world.snapshot()
     with pytest.raises(carom.NonFiniteState):
@@ -77,11 +86,13 @@ def test_gravity_is_seen_to_take_a_ball_where_numbers_do_not_reach() -> None:
 
 
 def test_places_are_noted_ahead_where_none_sleeps() -> None:
-    arrays = prepared(world_of(Point((9, 9)), Ball((0, 0), 1, velocity=(2, 4)), Ball((5, 5), 1), substeps=2))
+    balls = Ball((0, 0), 1, velocity=(2, 4)), *crowd(-2.0)
+    arrays = prepared(world_of(Point((9, 9)), *balls, substeps=2))
     arrays.states[0]["dt"] = 1.0
     tables = arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
     assert begin_step(*tables) == DONE
     assert arrays.states[0]["met_noted"] == 1
+    assert arrays.states[0]["grid_size"] > 0
     assert [arrays.saved[name][0] for name in ("x", "y", "met_x", "met_y")] == [0, 0, 1, 2]
     arrays.states[0]["sleeping"] = 1
     assert begin_step(*tables) == DONE
