@@ -87,22 +87,6 @@ def cell_near(cells: Table[CellRow], front: Front, x: float, y: float) -> int:
     return cell if (cells[cell]["marks"] >> part) & 1 != 0 else -1
 
 
-def any_box_meets(
-    shapes: Table[ShapeRow], members: Table[int], begin: int, end: int, x: float, y: float, radius: float
-) -> bool:
-    """True if the box of a ball at (x, y) meets that of any of the members from `begin` to `end`."""
-    for k in range(begin, end):
-        shape = shapes[members[k]]
-        if not (
-            x + radius < shape["left"]
-            or x - radius > shape["right"]
-            or y + radius < shape["bottom"]
-            or y - radius > shape["top"]
-        ):
-            return True
-    return False
-
-
 def cell_span(cells: Table[CellRow], cell: int) -> tuple[int, int]:
     """Where the members of a cell begin and end; (0, 0) for the cell -1, which has none."""
     if cell < 0:

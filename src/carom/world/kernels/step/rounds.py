@@ -18,7 +18,6 @@ from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
     Front,
-    any_box_meets,
     cell_near,
     cell_span,
     front_of,
@@ -209,8 +208,9 @@ def has_near(
     if cell < 0:
         return False, 0
     begin, end = cell_span(cells, cell)
-    if any_box_meets(shapes, members, begin, end, x, y, float(ball["radius"])):
-        return True, 0
+    for k in range(begin, end):
+        if not boxes_apart(ball, shapes[members[k]]):
+            return True, 0
     return False, end - begin
 
 

@@ -10,7 +10,6 @@ from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
     Front,
-    any_box_meets,
     cell_near,
     cell_side,
     cell_span,
@@ -19,7 +18,8 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     rest_of_cell,
 )
-from tests.kernel_calls import found_shapes, prepare_index
+from carom.world.kernels.step.narrow import boxes_apart
+from tests.kernel_calls import ball_rows, found_shapes, prepare_index
 
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
@@ -139,12 +139,13 @@ def test_no_ball_is_passed_over_whose_box_meets_that_of_a_shape(count: int, far:
         ]
     met = passed = 0
     for x, y in places:
-        listed = np.array(found_shapes(world, FIXED, x, y), "i4")
+        ball = ball_rows([(x, y, radius)])[0]
         cell = cell_near(arrays.cells, seen, x, y)
-        if any_box_meets(shapes, listed, 0, len(listed), x, y, radius):
+        if not all(boxes_apart(ball, shapes[row]) for row in found_shapes(world, FIXED, x, y)):
             met += 1
             assert not is_free(seen, x, y)
-            assert any_box_meets(shapes, arrays.members, *cell_span(arrays.cells, cell), x, y, radius)
+            begin, end = cell_span(arrays.cells, cell)
+            assert not all(boxes_apart(ball, shapes[row]) for row in arrays.members[begin:end])
         passed += is_free(seen, x, y) or cell < 0
     assert met > 0
     assert passed > 0
