@@ -52,7 +52,7 @@ from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.rollback import (
     find_strays,
-    is_allowed,
+    is_good,
     is_in_reach,
     is_measured,
     is_sound,
@@ -116,7 +116,7 @@ def refused(state: StateRow, balls: Table[BallRow]) -> int:
     largest = 0.0
     for i in range(state["balls"]):
         ball = balls[i]
-        if not (is_sound(ball) and is_allowed(ball)):
+        if not is_good(ball):
             return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
         largest = max(largest, float(ball["radius"]))
     if largest > state["reach"] or largest * 4.0 < state["reach"]:

@@ -56,15 +56,8 @@ def is_measured(ball: BallRow) -> bool:
     return size and is_finite(float(ball["elasticity"])) and is_finite(float(ball["friction"]))
 
 
-def is_allowed(ball: BallRow) -> bool:
-    """True if a ball's radius, mass, elasticity and friction are finite and what they may be."""
-    friction = ball["friction"]
-    fit = ball["radius"] > 0.0 and ball["mass"] > 0.0 and ball["elasticity"] >= 0.0
-    return bool(fit and (friction == OF_WORLD or friction >= 0.0)) and is_measured(ball)
-
-
 def is_good(ball: BallRow) -> bool:
-    """True if a ball is sound and allowed, which is seen at one go."""
+    """True if a ball is sound, and its radius, mass, elasticity and friction are finite and what they may be."""
     radius, mass = float(ball["radius"]), float(ball["mass"])
     elasticity, friction = float(ball["elasticity"]), float(ball["friction"])
     fit = radius > 0.0 and mass > 0.0 and elasticity >= 0.0 and (friction == OF_WORLD or friction >= 0.0)
