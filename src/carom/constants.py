@@ -110,8 +110,8 @@ FEW_TO_SORT = 8
 #: needs more room for hits.
 NEW_CELLS = 4
 
-#: Parts of a cell of that grid along each axis, 49 in all: whether any shape is in reach of one is a bit of a number.
-#: Changes the speed alone.
+#: Parts of a cell of the grid of shapes along each axis, 49 in all: whether any shape is in reach of one is a bit of a
+#: number. Changes the speed alone.
 CELL_PARTS = 7
 
 #: Static shapes up to this many are asked for a rectangle free of all of them. Changes the speed alone.

@@ -261,7 +261,7 @@ def turns_only(shape: ShapeRow, h: float) -> bool:
     return bool(shape["turn_low"] < orientation < shape["turn_high"])
 
 
-def turn_on(shape: ShapeRow, h: float) -> None:
+def turn_unposed(shape: ShapeRow, h: float) -> None:
     """Turn a shape that only turns for a substep of h seconds; ends and box stay where they were until it is posed."""
     set_before(shape)
     shape["spin"] = shape["angular_velocity"]

@@ -130,6 +130,7 @@ class Stage:
 
     def begin(self, first: int, last: int, steps: int, dt: float) -> None:
         """Begin a job: so many steps of the copies from the first to before the last."""
+        # In the order of a job's fields: to set them one by one takes NumPy several times as long.
         self._jobs[0] = (
             first, self._end_of_chunk(first, last, steps), last, TAKE, STEP_DUE, steps, dt, 0, self._block.address,
             self.common.keep_hits, 0, 0,

@@ -7,7 +7,7 @@ from math import fabs
 from carom.constants import FEW_TO_ASK, INDEX_MARGIN
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.pose import advance_pose, reach_of, turn_on, turns_only
+from carom.rows.pose import advance_pose, reach_of, turn_unposed, turns_only
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -51,7 +51,7 @@ def move_shapes(
         left, bottom = float(shape["left"]), float(shape["bottom"])
         right, top = float(shape["right"]), float(shape["top"])
         if few and turns_only(shape, duration) and is_far_from_all(state, balls, shape, duration):
-            turn_on(shape, duration)
+            turn_unposed(shape, duration)
         elif advance_pose(shape, duration):
             moved = True
             # Waking is needed only while something sleeps, and then costs a look at every ball.
