@@ -65,6 +65,12 @@ def energy_of(state: StateRow, ball: BallRow) -> float:
     return 0.5 * (vx * vx + vy * vy) - (gx * float(ball["x"]) + gy * float(ball["y"]))
 
 
+def work_of_shift(state: StateRow, ball: BallRow, from_x: float, from_y: float) -> float:
+    """The potential energy that a ball has won by being put from (from_x, from_y) to where it is."""
+    dx, dy = float(ball["x"]) - from_x, float(ball["y"]) - from_y
+    return -float(ball["mass"]) * (float(state["gravity_x"]) * dx + float(state["gravity_y"]) * dy)
+
+
 def keep_course(state: StateRow, ball: BallRow, flights: Table[FlightRow], i: int) -> None:
     """Keep what a ball was like when the step began, once a step, for one that fails to go back to."""
     flight = flights[i]

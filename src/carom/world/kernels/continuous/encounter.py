@@ -30,8 +30,9 @@ from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.continuous.arrival import work_of_shift
 from carom.world.kernels.continuous.flight import count_impact, is_tired
-from carom.world.kernels.continuous.island import join, lies
+from carom.world.kernels.continuous.island import is_solved, join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
@@ -94,9 +95,9 @@ def impact_with_shape(
         # From both sides: what is pushed out where it is too deep, and left where it is short, gains with every impact.
         # What a moving shape's frame rounds is more than that, and not of one kind: there it is always put.
         scale = 0.0 if is_moving(shape) else fabs(x) + fabs(y) + radius + reach_of(shape)
-        x, y = placed(x, y, gap, nx, ny, scale)
-        ball["x"] = x
-        ball["y"] = y
+        ball["x"], ball["y"] = placed(x, y, gap, nx, ny, scale)
+        if is_solved(relations, ball, flight):
+            flight["surplus"] += work_of_shift(state, ball, x, y) / float(ball["mass"])
     bounce(state, ball, flight, i, shapes, row, hits, relations, gap, nx, ny)
     if not lies(relations, ball) and is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"]), False):
         stop_between(state, ball, flight, shapes, index, cells, members, row, nx, ny)

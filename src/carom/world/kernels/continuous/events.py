@@ -27,9 +27,9 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive
+from carom.world.kernels.continuous.arrival import arrive, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
-from carom.world.kernels.continuous.flight import age_now
+from carom.world.kernels.continuous.flight import age_now, begins_now
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
 from carom.world.kernels.continuous.jolt import jolt
 from carom.world.kernels.continuous.lasting import hold
@@ -188,6 +188,26 @@ def meet_balls(
     if impact_of_balls(state, balls, flights, first, second, hits, relations):
         keep_push_out(state, balls[first], shapes, index, cells, members, relations, x1, y1)
         keep_push_out(state, balls[second], shapes, index, cells, members, relations, x2, y2)
+        work = work_of_shift(state, balls[first], x1, y1) + work_of_shift(state, balls[second], x2, y2)
+        book_work(balls, flights, relations, first, second, work)
+
+
+def book_work(
+    balls: Table[BallRow],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    first: int,
+    second: int,
+    work: float,
+) -> None:
+    """Let those of two balls whose islands are solved pay what putting both elsewhere has won."""
+    mass = 0.0
+    for i in (first, second):
+        if is_solved(relations, balls[i], flights[i]):
+            mass += float(balls[i]["mass"])
+    for i in (first, second):
+        if is_solved(relations, balls[i], flights[i]):
+            flights[i]["surplus"] += work / mass
 
 
 def end_quietly(
@@ -239,8 +259,7 @@ def change_shapes(
                 hasten(state, balls, flights, relations, bodies, i)
     change_movers(state, shapes, order)
     for i in range(state["balls"]):
-        begins = flights[i]["time"] == state["now"] and flights[i]["low"] == state["now_low"]
-        if begins and has_kind(relations, balls[i], LASTING):
+        if begins_now(state, flights[i]) and has_kind(relations, balls[i], LASTING):
             hold(state, balls[i], flights[i], shapes, relations, True)
 
 

@@ -26,6 +26,11 @@ def age_at(flight: FlightRow, time: float, low: float) -> float:
     return seconds_since(time, low, float(flight["time"]), float(flight["low"]))
 
 
+def begins_now(state: StateRow, flight: FlightRow) -> bool:
+    """True if a flight begins at the instant that the film is shown."""
+    return bool(flight["time"] == state["now"] and flight["low"] == state["now_low"])
+
+
 def place_after(ball: BallRow, flight: FlightRow, age: float) -> tuple[float, float, float, float]:
     """Where a ball is at an age of its flight and how fast it moves, as (x, y, vx, vy)."""
     x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])

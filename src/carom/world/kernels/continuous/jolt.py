@@ -18,7 +18,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import energy_of
-from carom.world.kernels.continuous.flight import age_now, fall_freely, place_after
+from carom.world.kernels.continuous.flight import age_now, begins_now, fall_freely, place_after
 from carom.world.kernels.continuous.instants import later, seconds_since
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
@@ -37,7 +37,15 @@ from carom.world.kernels.continuous.island import (
 )
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.resolve import adjust_accelerations
-from carom.world.kernels.continuous.settling import begin_now, end_contacts, let_loose, settle, store_forces
+from carom.world.kernels.continuous.settling import (
+    begin_now,
+    end_contacts,
+    frame_of,
+    let_loose,
+    pay_surplus,
+    settle,
+    store_forces,
+)
 from carom.world.kernels.continuous.spreading import end_approaches, spread_impact
 from carom.world.kernels.step.relations import find_relation
 
@@ -94,9 +102,9 @@ def jolt(
         count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
-    end_contacts(state, balls, shapes, relations, island, counts, speed, True)
+    end_contacts(state, balls, shapes, index, cells, members, flights, relations, island, counts, speed, True)
     return fly_on_changed(
-        state, balls, shapes, index, cells, members, flights, relations, bodies, count,
+        state, balls, shapes, index, cells, members, flights, relations, island, counts,
         (time, low), (sooner, sooner_low),
     )  # fmt: skip
 
@@ -140,8 +148,8 @@ def fly_on_changed(
     members: Table[int],
     flights: Table[FlightRow],
     relations: Table[RelationRow],
-    bodies: Table[BodyRow],
-    count: int,
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+    counts: tuple[int, int],
     tick: tuple[float, float],
     sooner: tuple[float, float],
 ) -> int:
@@ -149,18 +157,46 @@ def fly_on_changed(
 
     They fly up to an instant at which their island is solved anew, or those outside of the core up to a sooner one.
     """
-    dismiss(flights, bodies, count)
-    changed = 0
+    bodies, _contacts = island
+    count, _found = counts
     for k in range(count):
         i = row_of(bodies[k]["ball"])
         time, low = tick if bodies[k]["core"] != 0 else sooner
         if is_changed(state, balls[i], flights[i], relations, bodies[k], time, low):
             begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
             fly_on_solved(state, balls[i], flights[i], bodies[k], time, low)
-            bodies[changed]["ball"] = i
+    pay_where_all_part(balls, flights, shapes, relations, island, counts)
+    let_loose(state, balls, flights, shapes, relations, bodies, count)
+    changed = 0
+    for k in range(count):
+        if begins_now(state, flights[bodies[k]["ball"]]):
+            bodies[changed]["ball"] = bodies[k]["ball"]
             changed += 1
-    let_loose(state, balls, flights, shapes, relations, bodies, changed)
     return changed
+
+
+def pay_where_all_part(
+    balls: Table[BallRow],
+    flights: Table[FlightRow],
+    shapes: Table[ShapeRow],
+    relations: Table[RelationRow],
+    island: tuple[Table[BodyRow], Table[IslandContactRow]],
+    counts: tuple[int, int],
+) -> None:
+    """Let bodies whose flights begin now, none of which lies on others any more, pay what they have won."""
+    bodies, contacts = island
+    count, _found = counts
+    for k in range(count):
+        if lies(relations, balls[bodies[k]["ball"]]):
+            return
+    frame, moved = frame_of(bodies, contacts, shapes, counts)
+    if moved:
+        return
+    pay_surplus(flights, bodies, count, frame)
+    for k in range(count):
+        ball = balls[bodies[k]["ball"]]
+        ball["vx"] = bodies[k]["vx"]
+        ball["vy"] = bodies[k]["vy"]
 
 
 def add_struck(
@@ -195,7 +231,7 @@ def is_changed(
     low: float,
 ) -> bool:
     """True unless a ball flies on to the bit as it would have without what was solved."""
-    if flight["time"] == state["now"] and flight["low"] == state["now_low"]:
+    if begins_now(state, flight):
         return True
     if flight["tick_time"] != time or flight["tick_low"] != low or not lies(relations, ball):
         return True

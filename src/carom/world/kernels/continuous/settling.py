@@ -28,9 +28,9 @@ from carom.rows.relation import LASTING, LYING, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive, energy_of
+from carom.world.kernels.continuous.arrival import arrive, energy_of, work_of_shift
 from carom.world.kernels.continuous.encounter import keep_push_out, let_fly
-from carom.world.kernels.continuous.flight import fall_freely
+from carom.world.kernels.continuous.flight import begins_now, fall_freely
 from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
@@ -101,7 +101,9 @@ def settle(
     else:
         fly_straight(bodies, contacts, counts)
     store_forces(balls, relations, island, found)
-    end_contacts(state, balls, shapes, relations, island, counts, speed, pull > 0.0)
+    end_contacts(
+        state, balls, shapes, index, cells, members, flights, relations, island, counts, speed, pull > 0.0
+    )  # fmt: skip
     time, low = later(float(state["now"]), float(state["now_low"]), tau) if tau < inf else (NO_TICK, 0.0)
     put_back(state, balls, flights, bodies, count, debt, (time, low))
     fall_asleep(state, balls, flights, bodies, count, pull, speed, moved)
@@ -126,7 +128,7 @@ def begin_now(
     i: int,
 ) -> None:
     """Begin a new flight of a ball now, if none has begun."""
-    if flights[i]["time"] != state["now"] or flights[i]["low"] != state["now_low"]:
+    if not begins_now(state, flights[i]):
         arrive(state, balls, shapes, index, cells, members, flights, relations, i)
 
 
@@ -139,16 +141,38 @@ def let_loose(
     bodies: Table[BodyRow],
     count: int,
 ) -> None:
-    """Dismiss the balls of an island; those that lie on none any more fly by themselves, or as shapes hold them."""
+    """Dismiss the balls of an island; those that lie on none any more fly by themselves, or as shapes hold them.
+
+    What these have won the others have from now on: what a contact has done to one of two balls it has taken from the
+    other, so it stays in the ledger until it is paid.
+    """
     dismiss(flights, bodies, count)
+    surplus, mass = 0.0, 0.0
     for k in range(count):
         i = row_of(bodies[k]["ball"])
-        if not lies(relations, balls[i]):
-            flights[i]["tick_time"] = NO_TICK
-            flights[i]["quiet"] = 0
-            flights[i]["surplus"] = 0.0
-            set_no_forces(relations, balls[i])
-            hold(state, balls[i], flights[i], shapes, relations, True)
+        if lies(relations, balls[i]):
+            mass += float(balls[i]["mass"])
+        else:
+            surplus += let_go(state, balls[i], flights[i], shapes, relations)
+    if surplus != 0.0 and mass > 0.0:
+        for k in range(count):
+            i = row_of(bodies[k]["ball"])
+            if lies(relations, balls[i]):
+                flights[i]["surplus"] += surplus / mass
+
+
+def let_go(
+    state: StateRow, ball: BallRow, flight: FlightRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
+) -> float:
+    """What a ball has won in the island that it leaves, and by being put onto the shapes that hold it now."""
+    x, y = float(ball["x"]), float(ball["y"])
+    surplus = float(ball["mass"]) * float(flight["surplus"])
+    flight["tick_time"] = NO_TICK
+    flight["quiet"] = 0
+    flight["surplus"] = 0.0
+    set_no_forces(relations, ball)
+    hold(state, ball, flight, shapes, relations, True)
+    return surplus + work_of_shift(state, ball, x, y)
 
 
 def frame_of(
@@ -239,6 +263,10 @@ def end_contacts(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    flights: Table[FlightRow],
     relations: Table[RelationRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
     counts: tuple[int, int],
@@ -247,7 +275,8 @@ def end_contacts(
 ) -> None:
     """End the contacts that do not press and have opened, or part fast; all that do not press where nothing pulls.
 
-    A moving shape that has gone far into a ball, which had no room, goes over it.
+    A moving shape that has gone far into a ball, which had no room, goes over it. Whoever loses a contact begins a new
+    flight first: it has come here as what it was.
     """
     bodies, contacts = island
     for k in range(counts[0]):
@@ -263,11 +292,14 @@ def end_contacts(
         if contact["second"] != NO_BODY:
             j = row_of(bodies[contact["second"]]["ball"])
             if ends:
+                begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
+                begin_now(state, balls, shapes, index, cells, members, flights, relations, j)
                 part(state, balls, relations, i, j)
             continue
         row = row_of(contact["shape"])
         deep = contact["gap"] < -SQUEEZE_DEEP * float(body["radius"]) and is_moving(shapes[row])
         if ends or deep:
+            begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
             drop_kind(state, relations, balls[i], LASTING, row)
         if deep:
             add_relation(state, relations, balls[i], i, PASSING, row)
@@ -303,7 +335,10 @@ def put_back(
     debt: float,
     tick: tuple[float, float],
 ) -> None:
-    """Give the balls of an island their velocities and accelerations, and the instant of its next tick."""
+    """Give the balls of an island their velocities and accelerations, and the instant of its next tick.
+
+    The debt that their motion could not pay they have won until it can.
+    """
     mass = 0.0
     for k in range(count):
         mass += float(bodies[k]["mass"])
@@ -314,8 +349,8 @@ def put_back(
         ball["vy"] = body["vy"]
         flight["ax"] = body["ax"]
         flight["ay"] = body["ay"]
-        flight["energy"] = energy_of(state, ball) - debt / mass
-        flight["surplus"] = 0.0
+        flight["energy"] = energy_of(state, ball)
+        flight["surplus"] = debt / mass
         flight["tick_time"] = tick[0]
         flight["tick_low"] = tick[1]
 
