@@ -100,13 +100,25 @@ def time_to_go(speed: float, pull: float, way: float) -> float:
 
 
 def path_box(path: Path, begin: float, end: float) -> tuple[float, float, float, float]:
-    """The box (left, bottom, right, top) of a ball's centre between two ages of its flight."""
+    """The box (left, bottom, right, top) of a ball's centre between two ages of its flight.
+
+    It is no wider and no higher than the way that the ball goes.
+    """
     x0, y0 = place_on(path, begin)
     x1, y1 = place_on(path, end)
-    # Between two of its points a parabola is never farther from their chord than an eighth of this.
-    bulge_x = 0.125 * abs(path.gx) * (end - begin) * (end - begin)
-    bulge_y = 0.125 * abs(path.gy) * (end - begin) * (end - begin)
-    return min(x0, x1) - bulge_x, min(y0, y1) - bulge_y, max(x0, x1) + bulge_x, max(y0, y1) + bulge_y
+    left, right = widened(min(x0, x1), max(x0, x1), path.x, path.vx, path.gx, begin, end)
+    bottom, top = widened(min(y0, y1), max(y0, y1), path.y, path.vy, path.gy, begin, end)
+    return left, bottom, right, top
+
+
+def widened(
+    low: float, high: float, place: float, speed: float, pull: float, begin: float, end: float
+) -> tuple[float, float]:
+    """A stretch of a line with the place where what falls along the line turns round between two times, if it does."""
+    if (speed + pull * begin) * (speed + pull * end) >= 0.0:
+        return low, high
+    turn = place - 0.5 * speed * (speed / pull)
+    return min(low, turn), max(high, turn)
 
 
 def event_age(flight: FlightRow) -> float:

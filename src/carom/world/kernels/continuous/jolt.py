@@ -77,8 +77,9 @@ def jolt(
         counts = (count, found)
         pull, turning, radius, fastest = pull_on(bodies, contacts, shapes, counts)
         tau = seconds_since(time, low, float(state["now"]), float(state["now_low"])) if time < NO_TICK else 0.0
+        tick = tick_length(pull, turning, radius)
         asleep = is_any_asleep(flights, bodies, count)
-        if asleep or not pull > 0.0 or tau <= LEAST_TICK * tick_length(pull, turning, radius):
+        if asleep or not pull > 0.0 or tau <= LEAST_TICK * tick:
             dismiss(flights, bodies, count)
             return settle(
                 state, balls, shapes, index, cells, members, flights, relations, island, first, second, struck
@@ -86,7 +87,10 @@ def jolt(
         speed = rest_speed_of(pull, radius, fastest)
         if not goes_on(state, balls, relations, island, counts, speed, first, second if struck else NO_BALL):
             break
-    tick = tick_length(pull, turning, radius)
+    if tau > tick:
+        # They have come onto a bend, say, where they are to be solved sooner than their island is.
+        tau = tick
+        time, low = later(float(state["now"]), float(state["now_low"]), tick)
     sooner, sooner_low = time, low
     while True:
         aim_at_middle(state, shapes, island, found, tau)

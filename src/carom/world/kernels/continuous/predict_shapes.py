@@ -114,7 +114,7 @@ def predict_on_way(
         if begin >= event_age(flight):
             return
         vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
-        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, side)
+        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, (1.0 - SEARCH_MARGIN) * side)
         if not end > begin:
             return
         predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
