@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from carom import Arc, Ball, Circle, Point, Segment
 from carom.shapes.shape import Shape
@@ -26,6 +28,27 @@ def test_a_press_goes_over_a_ball_before_a_wall(speed: float, elasticity: float)
         assert ball.position[1] <= 2.5 + 1e-9
     assert world.statistics.squeezed >= 1
     assert world.statistics.stalled == 0
+
+
+@pytest.mark.usefixtures("step_compiled")
+@given(
+    st.one_of(st.sampled_from([0.0, 0.5, 0.9, 1.0]), st.floats(0.0, 1.5)), st.floats(0.0, 6.0), st.floats(-1.0, 1.0),
+    st.one_of(st.none(), st.floats(2.0, 10.0)), st.floats(0.3, 3.0), st.floats(0.0, 6.3),
+)  # fmt: skip
+def test_no_weight_pushes_a_ball_through_a_wall(
+    elasticity: float, power: float, across: float, fastest: float | None, size: float, turn: float
+) -> None:
+    out = np.array([cos(turn), sin(turn)])
+    # What bounces back faster than it came gets faster without end in a closed room.
+    world = continuous_world(Circle((0, 0), 10), max_speed=fastest or (10.0 if elasticity > 1 else None))
+    light = world.add(Ball(tuple(9.0 * out), 0.5, mass=1.0, elasticity=elasticity))
+    place, velocity = (8.0 - size) * out + across * np.array([-out[1], out[0]]), 2 * out
+    heavy = world.add(Ball(tuple(place), size, tuple(velocity), mass=10**power, elasticity=elasticity))
+    for _ in range(8):
+        with within(10):
+            world.step(0.5)
+        for ball in (light, heavy):
+            assert hypot(*ball.position) <= 10 - ball.radius * (1 - 1e-3)
 
 
 @pytest.mark.parametrize("spin", [1.0, 100.0, 1000.0])

@@ -12,7 +12,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import arrive
-from carom.world.kernels.continuous.encounter import let_fly
+from carom.world.kernels.continuous.flight import let_fly
 from carom.world.kernels.continuous.island import hasten, lies
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.queue import row_of

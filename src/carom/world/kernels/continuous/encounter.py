@@ -19,7 +19,7 @@ from carom.geometry.gap import placed
 from carom.geometry.response import exchanged, rebounded
 from carom.geometry.vector import cross, dot, larger, length
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FLYING, FlightRow
+from carom.rows.flight import FlightRow
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import bend_center, lacks_room, lets_pass
@@ -31,7 +31,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.arrival import work_of_shift
-from carom.world.kernels.continuous.flight import count_impact, is_tired
+from carom.world.kernels.continuous.flight import count_impact, is_tired, let_fly
 from carom.world.kernels.continuous.island import is_solved, join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
@@ -39,7 +39,6 @@ from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, 
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.hits import cross_ball, record_hit
-from carom.world.kernels.step.motion import wake
 from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
 from carom.world.kernels.step.spending import spend
@@ -389,8 +388,7 @@ def impact_of_balls(
     gain = exchange(first, second, u1, u2, nx, ny, elasticity)
     if u1 - u2 <= slowest:
         return pushed
-    limit_speed(state, first)
-    limit_speed(state, second)
+    limit_speeds(state, first, second, nx, ny)
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
     touch = (px, py, nx, ny, setback)
@@ -486,9 +484,11 @@ def exchange(
     return m2 * (new2 - u2)
 
 
-def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
-    """Wake a ball that was hit and let it fly from now on."""
-    if flight["kind"] == ASLEEP:
-        wake(state, ball)
-        flight["kind"] = FLYING
-        flight["slow_for"] = 0.0
+def limit_speeds(state: StateRow, first: BallRow, second: BallRow, nx: float, ny: float) -> None:
+    """Slow two balls that have met to what is allowed, but neither below the one that pushes it: they part."""
+    limit_speed(state, first)
+    limit_speed(state, second)
+    u1 = dot(float(first["vx"]), float(first["vy"]), nx, ny)
+    u2 = dot(float(second["vx"]), float(second["vy"]), nx, ny)
+    if u1 > u2:
+        exchange(first, second, u1, u2, nx, ny, 0.0)

@@ -8,9 +8,10 @@ from carom.constants import SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_F
 from carom.geometry.path import Path, place_on
 from carom.geometry.vector import length
 from carom.rows.ball import OF_WORLD, BallRow
-from carom.rows.flight import EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
+from carom.rows.flight import ASLEEP, EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
 from carom.rows.state import StateRow
 from carom.world.kernels.continuous.instants import is_before, later, seconds_since
+from carom.world.kernels.step.motion import wake
 
 #: Factor by which the keys of balls stand apart, so that two rows make one number.
 KEY_SIDE = 4294967296
@@ -167,6 +168,19 @@ def is_tired(flight: FlightRow, elasticity: float, in_heap: bool) -> bool:
     if elasticity >= 1.0:
         return bool(flight["short"] > SHORT_ELASTIC_FLIGHTS)
     return bool(flight["short"] > (0 if in_heap else SHORT_FLIGHTS))
+
+
+def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Wake a ball that was hit and let it fly from now on."""
+    if flight["kind"] == ASLEEP:
+        wake(state, ball)
+        flight["kind"] = FLYING
+        flight["slow_for"] = 0.0
+
+
+def is_crowded(flight: FlightRow) -> bool:
+    """True for a ball that has had ever more impacts at one instant, between others that leave it no way to go."""
+    return bool(flight["at_once"] > SHORT_ELASTIC_FLIGHTS)
 
 
 def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:

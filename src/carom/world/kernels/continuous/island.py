@@ -16,7 +16,7 @@ from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.flight import age_now, place_after
+from carom.world.kernels.continuous.flight import age_now, is_crowded, place_after
 from carom.world.kernels.continuous.lasting import leave_points
 from carom.world.kernels.continuous.movers import age_of_mover
 from carom.world.kernels.continuous.queue import row_of
@@ -177,20 +177,23 @@ def fill_contacts(
                 if partner < k or bodies[partner]["core"] == 0:
                     contact = contacts[found]
                     clear(contact, k, partner, float(relations[place]["force_x"]), float(relations[place]["force_y"]))
-                    contact["elasticity"] = float(balls[i]["elasticity"]) * float(balls[other]["elasticity"])
+                    crowded = is_crowded(flights[i]) or is_crowded(flights[other])
+                    elasticity = float(balls[i]["elasticity"]) * float(balls[other]["elasticity"])
+                    contact["elasticity"] = 0.0 if crowded else elasticity
                     found += 1
             place = int(relations[place]["next"])
     for moving in range(1, -1, -1):
         for k in range(count):
             if bodies[k]["core"] == 0:
                 continue
-            found = fill_shapes(state, balls, shapes, relations, island, found, k, moving == 1)
+            found = fill_shapes(state, balls, flights, shapes, relations, island, found, k, moving == 1)
     return found
 
 
 def fill_shapes(
     state: StateRow,
     balls: Table[BallRow],
+    flights: Table[FlightRow],
     shapes: Table[ShapeRow],
     relations: Table[RelationRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
@@ -210,7 +213,8 @@ def fill_shapes(
             contact = contacts[found]
             clear(contact, k, NO_BODY, float(relations[place]["force_x"]), float(relations[place]["force_y"]))
             contact["shape"] = row
-            contact["elasticity"] = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
+            elasticity = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
+            contact["elasticity"] = 0.0 if is_crowded(flights[i]) else elasticity
             ends = not (may_collide(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
             found += 0 if ends else 1
         if ends:
@@ -346,6 +350,14 @@ def tick_length(pull: float, turning: float, radius: float) -> float:
     """The seconds after which an island is to be solved anew; infinite if nothing presses or turns it."""
     tick = ISLAND_TICK * sqrt(radius / pull) if pull > 0.0 else inf
     return smaller(tick, ISLAND_TURN / turning) if turning > 0.0 else tick
+
+
+def tick_of(
+    bodies: Table[BodyRow], contacts: Table[IslandContactRow], shapes: Table[ShapeRow], counts: tuple[int, int]
+) -> float:
+    """The same for an island as its bodies move now."""
+    pull, turning, radius, _fastest = pull_on(bodies, contacts, shapes, counts)
+    return tick_length(pull, turning, radius)
 
 
 def rest_speed_of(pull: float, radius: float, fastest: float) -> float:

@@ -34,6 +34,7 @@ from carom.world.kernels.continuous.island import (
     pull_on,
     rest_speed_of,
     tick_length,
+    tick_of,
 )
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.resolve import adjust_accelerations
@@ -77,9 +78,8 @@ def jolt(
         counts = (count, found)
         pull, turning, radius, fastest = pull_on(bodies, contacts, shapes, counts)
         tau = seconds_since(time, low, float(state["now"]), float(state["now_low"])) if time < NO_TICK else 0.0
-        tick = tick_length(pull, turning, radius)
-        asleep = is_any_asleep(flights, bodies, count)
-        if asleep or not pull > 0.0 or tau <= LEAST_TICK * tick:
+        least = LEAST_TICK * tick_length(pull, turning, radius)
+        if tau <= least or not pull > 0.0 or is_any_asleep(flights, bodies, count):
             dismiss(flights, bodies, count)
             return settle(
                 state, balls, shapes, index, cells, members, flights, relations, island, first, second, struck
@@ -87,10 +87,8 @@ def jolt(
         speed = rest_speed_of(pull, radius, fastest)
         if not goes_on(state, balls, relations, island, counts, speed, first, second if struck else NO_BALL):
             break
-    if tau > tick:
-        # They have come onto a bend, say, where they are to be solved sooner than their island is.
-        tau = tick
-        time, low = later(float(state["now"]), float(state["now_low"]), tick)
+    tick = tick_of(bodies, contacts, shapes, counts)
+    tau, time, low = in_time(state, tick, tau, time, low)
     sooner, sooner_low = time, low
     while True:
         aim_at_middle(state, shapes, island, found, tau)
@@ -111,6 +109,16 @@ def jolt(
         state, balls, shapes, index, cells, members, flights, relations, island, counts,
         (time, low), (sooner, sooner_low),
     )  # fmt: skip
+
+
+def in_time(state: StateRow, tick: float, tau: float, time: float, low: float) -> tuple[float, float, float]:
+    """How long from now, and up to which instant, bodies may fly on that are to be solved within a tick of their own.
+
+    They have come onto a bend, say, or were thrown along one, and turn sooner than their island is solved anew.
+    """
+    if tau <= tick:
+        return tau, time, low
+    return tick, *later(float(state["now"]), float(state["now_low"]), tick)
 
 
 def goes_on(

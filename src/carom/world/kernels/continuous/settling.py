@@ -29,8 +29,8 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import arrive, energy_of, work_of_shift
-from carom.world.kernels.continuous.encounter import keep_push_out, let_fly
-from carom.world.kernels.continuous.flight import begins_now, fall_freely
+from carom.world.kernels.continuous.encounter import keep_push_out
+from carom.world.kernels.continuous.flight import begins_now, fall_freely, is_crowded, let_fly
 from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
@@ -86,14 +86,16 @@ def settle(
         bodies[k]["gy"] = flights[i]["ay"]
     found = fill_contacts(state, balls, flights, shapes, relations, island, count)
     counts = (count, found)
-    pull, turning, radius, fastest = pull_on(bodies, contacts, shapes, counts)
+    pull, _turning, radius, fastest = pull_on(bodies, contacts, shapes, counts)
     speed = rest_speed_of(pull, radius, fastest)
-    tau = tick_length(pull, turning, radius)
     frame, moved = frame_of(bodies, contacts, shapes, counts)
     debt = 0.0 if moved else pay_surplus(flights, bodies, count, frame)
     if struck:
         resolve_impact(bodies, contacts, counts, speed)
     resolve_velocities(bodies, contacts, counts, tolerance_of(speed, SETTLED_SHARE, fastest))
+    # An impact may have thrown somebody onto a bend, where it is to be solved soon.
+    pull, turning, radius, _fastest = pull_on(bodies, contacts, shapes, counts)
+    tau = tick_length(pull, turning, radius)
     debt += shift_places(state, balls, shapes, index, cells, members, relations, island, counts, frame, moved)
     if pull > 0.0 and tau < inf:
         aim_at_middle(state, shapes, island, found, tau)
@@ -288,17 +290,19 @@ def end_contacts(
         body = bodies[contact["first"]]
         i = row_of(body["ball"])
         opened = contact["gap"] > ISLAND_OPEN * float(body["radius"]) or contact_speed(bodies, contact) > speed
-        ends = contact["force"] <= 0.0 and (opened or not pressed)
+        # Who is between others that leave it no way to go is held by all of them at once.
+        kept = pressed or is_crowded(flights[i])
+        loose = contact["force"] <= 0.0
         if contact["second"] != NO_BODY:
             j = row_of(bodies[contact["second"]]["ball"])
-            if ends:
+            if loose and (opened or not (kept or is_crowded(flights[j]))):
                 begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
                 begin_now(state, balls, shapes, index, cells, members, flights, relations, j)
                 part(state, balls, relations, i, j)
             continue
         row = row_of(contact["shape"])
         deep = contact["gap"] < -SQUEEZE_DEEP * float(body["radius"]) and is_moving(shapes[row])
-        if ends or deep:
+        if deep or (loose and (opened or not kept)):
             begin_now(state, balls, shapes, index, cells, members, flights, relations, i)
             drop_kind(state, relations, balls[i], LASTING, row)
         if deep:

@@ -18,7 +18,7 @@ from carom.world.kernels.continuous.encounter import (
 )
 from carom.world.kernels.step.relations import find_relation, set_force
 from carom.world.tables import Arrays
-from tests.heaps import joined
+from tests.heaps import impetus, joined
 from tests.kernel_calls import in_flight, near_tables, shape_index
 from tests.worlds import continuous_world
 
@@ -176,6 +176,17 @@ def test_balls_are_limited_in_speed_too() -> None:
     met(arrays)
     assert arrays.balls.used["vx"].tolist() == [0, 10]
     assert arrays.states[0]["slowed"] == 1
+
+
+def test_a_limited_ball_is_no_slower_than_the_one_that_pushes_it() -> None:
+    heavy, light = Ball((0, 0), 1, (9, 0), mass=100.0), Ball((2, 0), 1, (0, 9.5))
+    arrays = in_flight(continuous_world(heavy, light, max_speed=10.0))
+    momentum = impetus(arrays)[0]
+    met(arrays)
+    first, second = arrays.balls.used["vx"]
+    assert second >= first
+    assert arrays.states[0]["slowed"] == 1
+    assert impetus(arrays)[0] <= momentum
 
 
 def vice(gap: float, both: bool) -> Arrays:

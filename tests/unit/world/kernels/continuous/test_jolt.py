@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom import Ball, Segment
-from carom.constants import IMPACT_SHARE, JOLT_MOST, JOLT_SHARE, LEAST_TICK, REBOUND
+from carom import Ball, Circle, Segment
+from carom.constants import IMPACT_SHARE, ISLAND_TURN, JOLT_MOST, JOLT_SHARE, LEAST_TICK, REBOUND
 from carom.rows.flight import ASLEEP, FLYING, NO_BALL, NO_TICK
 from carom.rows.island import WANTED
 from carom.rows.relation import LASTING, LYING
@@ -171,6 +171,16 @@ def test_who_is_solved_flies_on_no_longer_than_it_was_solved_for() -> None:
     count = jolted(arrays, 7, struck=True)
     assert count > 1
     assert (arrays.flights["tick_time"][arrays.island[0]["ball"][:count]] == tick).all()
+
+
+def test_what_comes_onto_a_bend_is_solved_before_that_has_turned_far() -> None:
+    pair = Ball((0, 0.5), 0.5, (3, 0), elasticity=0.0), Ball((1, 0.5), 0.5, (3, 0), elasticity=0.0)
+    arrays = heap(continuous_world(Circle((0, 5), 5), *pair))
+    # They have flown straight so far, and were to go on so for long.
+    arrays.flights["tick_time"][:2] = 1000.0
+    assert jolted(arrays, 0, struck=True) == 2
+    assert (arrays.flights["tick_time"][:2] <= ISLAND_TURN * 5 / 3).all()
+    assert accelerations(arrays)[0] == pytest.approx((0, 3**2 / 4.5), abs=0.05)
 
 
 @pytest.mark.parametrize("share", [1 - 0.5 * LEAST_TICK, 1 - 4 * LEAST_TICK])

@@ -75,6 +75,20 @@ def test_cell_by_cell_is_found_what_asking_all_finds_to_the_bit(gravity: tuple[f
     assert seen > 5
 
 
+@pytest.mark.parametrize("pull", [3.0, -0.7])
+def test_no_cell_is_left_out_where_a_ball_falls_through_it(pull: float) -> None:
+    world = continuous_world(gravity=(0, pull))
+    world.add(*(Point((3.0 * k, 3.0 * j)) for k in range(8) for j in range(8)))
+    ball = Ball((9.0, 0.0), 0.02)
+    world.add(ball)
+    for offset in np.linspace(0, 3, 40, endpoint=False):
+        ball.position = (9.0, 9.1 + offset)
+        arrays = in_flight(world)
+        expected = of_all(arrays)
+        assert expected[0] == HIT_SHAPE
+        assert on_way(arrays, 0.0) == expected
+
+
 def test_a_ball_outside_of_all_cells_is_followed_from_where_it_comes_in() -> None:
     path = Path(-10.0, 1.0, 2.0, 0.1, 0.0, 0.0)
     assert time_into_box(path, 0.0, 0.0, 0.0, 4.0, 4.0) == 5.0
