@@ -43,7 +43,7 @@ class Art:
         ball: A ball, and its `shadow`.
         tail: Lights behind a fast ball.
         spark: The light of an impact.
-        kick: The light of a slingshot that kicks, in the middle of one of `slingshots`.
+        kick: The light of a slingshot or of the saucer that kicks, in the middle of one of `kickers`.
         plunger: The plunger, its tip in the middle of the upper edge.
     """
 
@@ -82,8 +82,9 @@ class Art:
         self.ball = art_sprites.ball(radius)
         self.shadow = art_sprites.shadow(radius)
         self.tail = art_sprites.trail(round(radius))
-        self.slingshots: dict[str, tuple[float, float]] = {
-            name: pixel(middle_of(box_of(world, name))) for name in ("left slingshot's band", "right slingshot's band")
+        self.kickers: dict[str, tuple[float, float]] = {
+            name: pixel(middle_of(box_of(world, name)))
+            for name in ("left slingshot's band", "right slingshot's band", lamps.SAUCER)
         }
         self.kick = glow(round(3.0 * SCALE), TEAL, 0.8)
         self.spark = glow(round(1.1 * SCALE), (255, 236, 190), 0.9)

@@ -32,9 +32,11 @@ RULES = (
     "In multiball orbits and banks are jackpots. Inlanes light the orbits.",
     "Bumpers light when struck; all three lit raise what they pay and start a mode: the display",
     "says what to shoot, for how much, and for how many seconds yet. All its shots bring 20,000.",
+    "While its arrow blinks the saucer before the left post holds a ball: it starts a mode too, or gives",
+    "one that goes on 10 seconds more; in multiball it is a jackpot. An orbit opens it again.",
     "The bonus is paid as the ball drains. Nudge too hard and the table tilts: the bonus is lost.",
 )
-MARGIN, LINE = 36, 25
+MARGIN, LINE = 36, 24
 
 
 def draw_help(surface: pygame.Surface, letters: Letters) -> None:

@@ -120,8 +120,8 @@ class TableView:
             centered(surface, picture, self.art.pivots[name])
 
     def _draw_flashes(self, surface: pygame.Surface) -> None:
-        """Draw the flashes of slingshots and of hard impacts."""
-        for name, place in self.art.slingshots.items():
+        """Draw the flashes of slingshots, of the saucer and of hard impacts."""
+        for name, place in self.art.kickers.items():
             if self.effects.kicks(name):
                 centered(surface, self.art.kick, place, ADD)
         for spark in self.effects.sparks:
