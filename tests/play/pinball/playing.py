@@ -20,13 +20,13 @@ STEP = Pinball.STEP
 SCREEN = (560, 588)
 
 Art = art.Art
-art_once = cache(lambda: Art(Table().world))
+art_once = cache(lambda times: Art(Table().world, times))
 backs_once, sounds_once = cache(art_back.paint_backs), cache(sounds.make)
 
 
 def make_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have art and sounds made once for all sessions."""
-    monkeypatch.setattr(art, "Art", lambda world: art_once())
+    monkeypatch.setattr(art, "Art", lambda world, times: art_once(times))
     monkeypatch.setattr(art_back, "paint_backs", backs_once)
     monkeypatch.setattr(sounds, "make", sounds_once)
 
