@@ -9,6 +9,7 @@ import pytest
 
 from carom.compiler import door
 from carom.compiler.kernels import Kernel
+from carom.play.pen import Pen
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
@@ -18,7 +19,7 @@ from tests.play.toy.playing import Player
 
 def words_on(player: Player) -> tuple[str, dict[str, str]]:
     """What the strip below the table says now: a title and numbers."""
-    reading = player.toy._pointed_at(player.window.surface)
+    reading = player.toy._pointed_at(Pen(player.window.surface, player.toy._letters))
     return ("", {}) if reading is None else (reading.title, dict(reading.pairs))
 
 

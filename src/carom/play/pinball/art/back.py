@@ -61,7 +61,7 @@ STROKES: dict[str, list[list[Spot]]] = {
 
 
 def paint_backs(times: int = 1) -> tuple[pygame.Surface, ...]:
-    """The back with all that never changes, `times` as large as `SIZE`, once for each third of the bulbs that is lit."""
+    """The back with all that never changes, once for each third of the bulbs that is lit, `times` the `SIZE`."""
     back = _back(times)
     return tuple(_bulbs(back.copy(), lit, times) for lit in range(BULBS))
 
