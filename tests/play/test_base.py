@@ -131,6 +131,10 @@ def test_a_window_of_any_size_shows_all_of_the_picture_and_knows_where_the_mouse
 
 def test_a_picture_larger_than_the_desktop_is_shown_smaller() -> None:
     assert window_size((800, 840), (1920, 1080)) == (800, 840)
+    assert window_size((800, 840), (1920, 1080), most=3) == (800, 840)
+    assert window_size((800, 840), (3840, 2160)) == (800, 840)
+    assert window_size((800, 840), (3840, 2160), most=3) == (1600, 1680)
+    assert window_size((800, 840), (9999, 9999), most=3) == (2400, 2520)
     width, height = window_size((800, 840), (1366, 768))
     assert height < 0.9 * 768
     assert width / height == pytest.approx(800 / 840, rel=0.01)

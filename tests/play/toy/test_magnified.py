@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from carom.play.toy.sentences import SENTENCES
 from carom.play.toy.settings import SHOWN
 from tests.play.screens import different
 from tests.play.toy.playing import Player
@@ -64,7 +65,7 @@ def test_controls_of_a_magnified_panel_are_where_they_are_seen(player: Player) -
     player.slide("gravity", 30)
     assert player.desk.settings.gravity > before + 2.0
     player.mouse(pygame.MOUSEMOTION, player.toy.panel.places["launch"].center)
-    assert "launch" in player.toy.panel.sentence(player.toy._mouse).lower()
+    assert player.toy.panel.sentence(player.toy._mouse) == SENTENCES["launch"]
 
 
 def test_a_ball_is_thrown_and_a_shape_dragged_in_a_magnified_picture(player: Player) -> None:

@@ -99,13 +99,11 @@ class PinballApp:
         self._letters = Letters()
         self.effects = Effects()
         self._sheets: dict[int, Sheet] = {}
-        self.magnify(1)
+        self._times = 1
 
     def magnify(self, times: int) -> None:
         """Draw the picture `times` as large from now on."""
-        if times not in self._sheets:
-            self._sheets[times] = Sheet(self.game, self._letters, times, self.effects)
-        self._times, self._sheet = times, self._sheets[times]
+        self._times = times
         self.size = (PinballApp.size[0] * times, PinballApp.size[1] * times)
 
     # -- what comes in -----------------------------------------------------------------------------------------------
@@ -183,7 +181,9 @@ class PinballApp:
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the table, its back, and what lies over them."""
-        self._sheet.draw(surface, self.mode)
+        if self._times not in self._sheets:
+            self._sheets[self._times] = Sheet(self.game, self._letters, self._times, self.effects)
+        self._sheets[self._times].draw(surface, self.mode)
         pen = Pen(surface, self._letters, self._times)
         if self.rating:
             self._draw_rate(pen)
