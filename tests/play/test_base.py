@@ -71,6 +71,16 @@ def test_while_kernels_are_compiled_a_line_in_the_corner_says_so_and_time_makes_
         assert ticker.due(0.25) == (8 if compiling else 48)
 
 
+def test_a_window_says_that_it_is_there_until_its_first_frame() -> None:
+    window = Window(Counting())
+    shown = pygame.surfarray.array3d(pygame.display.get_surface()).max(axis=2)
+    words = np.argwhere(shown > 150)
+    assert len(words) > 50
+    assert words.mean(axis=0) == pytest.approx((100, 60), abs=6.0)
+    window.frame(0.01)
+    assert (pygame.surfarray.array3d(pygame.display.get_surface()) == (10, 20, 30)).all()
+
+
 def test_a_window_that_is_closed_ends_the_game() -> None:
     game = Counting(frames=99)
     window = Window(game)

@@ -23,6 +23,8 @@ LONGEST_FRAME = 0.25
 COMPILING = "compiling in the background: soon it runs faster"
 #: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
+#: What a window says until its first frame.
+GREETING = "one moment ..."
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
 TOLD = 5.0
@@ -73,6 +75,7 @@ class Window:
         self._shooting = False
         self._kept, self._kept_left = "", 0.0
         pygame.display.set_caption(game.title)
+        self._greet()
 
     @property
     def surface(self) -> pygame.Surface:
@@ -102,6 +105,16 @@ class Window:
         screen.show()
         game.meter.end()
         pygame.display.flip()
+
+    def _greet(self) -> None:
+        """Say that the game is about to begin: its first frame takes a moment, for which it is painted."""
+        picture, size = self.surface, SMALL * self._times
+        picture.fill(PLATE)
+        width, height = picture.get_size()
+        self._letters.draw(picture, GREETING, (width / 2, (height - size) / 2), size, INK, anchor="middle")
+        self._screen.show()
+        pygame.display.flip()
+        pygame.event.pump()
 
     def _magnify(self) -> None:
         """Have the game draw as large as the screen has its picture."""
