@@ -150,6 +150,10 @@ def test_in_a_mode_it_gives_more_time_and_in_multiball_it_is_a_jackpot(played: P
     mode = MODES[0]
     assert played.rules.goal == f"{mode.words} {mode.worth:,} {mode.seconds - 20 + MORE_TIME} S"
     assert [event.part for event in played.told(EventKind.MORE)] == ["10 S MORE"]
+    effects = Effects()
+    effects.note(played.events)
+    assert effects.news is not None
+    assert effects.news.words == "10 S MORE", "the display says it last"
     assert len(played.told(EventKind.MODE)) == 1
     played.rules._start_multiball((0.0, 0.0))
     assert played.rules.table.saucer_open

@@ -66,7 +66,7 @@ class Rules:
             EventKind.TARGET: self._target,
             EventKind.LANE: self._lane,
             EventKind.ORBIT: lambda _: self._orbit(),
-            EventKind.SAUCER: self._saucer,
+            EventKind.SAUCER: lambda _: self._saucer(),
             EventKind.INLANE: self._inlane,
             EventKind.OUTLANE: self._outlane,
         }
@@ -232,17 +232,10 @@ class Rules:
         self._jackpot += JACKPOT_MORE
         return worth
 
-    def _saucer(self, part: Part) -> int:
-        """What the saucer gives: a jackpot in multiball, more time in a mode, else the next mode. It closes."""
+    def _saucer(self) -> int:
+        """What the saucer gives, a jackpot in multiball; it closes."""
         self._open_saucer(False)
-        if self.multiball:
-            return self._next_jackpot()
-        if self.modes.mode is None:
-            self._mode_due = True
-        else:
-            self.modes.prolong(MORE_TIME * RATE)
-            self._give(EventKind.MORE, f"{MORE_TIME} S MORE", part.place, 0.0, 0)
-        return SAUCER_CATCH
+        return self._next_jackpot() if self.multiball else SAUCER_CATCH
 
     def _open_saucer(self, is_open: bool) -> None:
         """Open the saucer, or close it, and have its lamp say so."""
@@ -265,12 +258,22 @@ class Rules:
     # -- feats -------------------------------------------------------------------------------------------------------
 
     def _finish(self, part: Part, place: tuple[float, float]) -> None:
-        """Reward a row of lanes or a bank that the part has made complete."""
+        """Reward a row of lanes or a bank that the part has made complete, or a ball in the saucer."""
         if part.kind is EventKind.LANE and self.lamps.all_on(LANES):
             self._all_lanes(place)
         elif part.name in BANK and len(self.table.down) == len(BANK) and not self._bank_left:
             self._bank_left = BANK_REST * RATE
             self._bank(place)
+        elif part.kind is EventKind.SAUCER and not self.multiball:
+            self._catch(place)
+
+    def _catch(self, place: tuple[float, float]) -> None:
+        """Reward a ball in the saucer: by more time for the mode, or by the next one where none goes on."""
+        if self.modes.mode is None:
+            self._mode_due = True
+        else:
+            self.modes.prolong(MORE_TIME * RATE)
+            self._give(EventKind.MORE, f"{MORE_TIME} S MORE", place, 0.0, 0)
 
     def _all_lanes(self, place: tuple[float, float]) -> None:
         """Raise the multiplier, which brings an extra ball once; where it cannot rise it gives points."""
