@@ -71,6 +71,16 @@ def test_while_kernels_are_compiled_a_line_in_the_corner_says_so_and_time_makes_
         assert ticker.due(0.25) == (8 if compiling else 48)
 
 
+def test_the_line_about_compiling_says_for_how_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(carom, "compiling", lambda: True)
+    window = Window(Counting(frames=99))
+    written: list[str] = []
+    monkeypatch.setattr(Letters, "draw", lambda self, surface, words, *_, **__: written.append(words))
+    for _ in range(5):
+        window.frame(0.6)
+    assert [words.split(" s:")[0][-4:] for words in written] == ["or 1", "or 1", "or 2", "or 2", "or 3"]
+
+
 def test_a_window_says_that_it_is_there_until_its_first_frame() -> None:
     window = Window(Counting())
     shown = pygame.surfarray.array3d(pygame.display.get_surface()).max(axis=2)

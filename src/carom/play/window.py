@@ -20,7 +20,7 @@ RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
 #: What is written in the picture's lower left corner while it is so.
-COMPILING = "compiling in the background: soon it runs faster"
+COMPILING = "compiling in the background, once on this machine, for {:.0f} s: soon it runs faster"
 #: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.
@@ -74,6 +74,7 @@ class Window:
         self._letters = Letters()
         self._shooting = False
         self._kept, self._kept_left = "", 0.0
+        self._compiled_for = 0.0
         pygame.display.set_caption(game.title)
         self._greet()
 
@@ -130,7 +131,8 @@ class Window:
 
     def _tell(self, seconds: float) -> None:
         """Write into the picture's corner where a screenshot was kept, and that kernels are compiled meanwhile."""
-        lines = [COMPILING] if carom.compiling() else []
+        self._compiled_for = self._compiled_for + seconds if carom.compiling() else 0.0
+        lines = [COMPILING.format(self._compiled_for)] if self._compiled_for else []
         if self._kept_left > 0.0:
             lines.append(self._kept)
             self._kept_left -= seconds
