@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from carom.play.pinball import Event, EventKind, PinballApp
+from carom.play.pinball.art import pictures as art
 from carom.play.pinball.screen.lines import Mode
 from carom.play.window import Window
 from tests.play.pinball.playing import STEP, backs_once, key, make_once, session, tapped
@@ -78,3 +79,23 @@ def test_a_nudged_table_moves_as_far_in_a_magnified_picture() -> None:
 
 def test_the_back_is_painted_as_large() -> None:
     assert {back.get_size() for back in backs_once(2)} == {(768, 1680)}
+
+
+@pytest.mark.slow
+def test_words_and_shadows_are_where_they_are_in_a_small_picture() -> None:
+    app, window = session()
+    tapped(window, pygame.K_RETURN)
+    (ball,) = app.game.world.balls
+    ball.position = (9.0, 14.0)
+    app.effects.note([Event(EventKind.LANE, "left lane", (9.3, 21.5), 0.0, 88_888)])
+    seen = []
+    for times in (1, 2):
+        enlarge(window, times)
+        x, y = art.pixel((9.0, 14.0))
+        beside = pygame.Rect(int(x) - 4, int(y) + 12, 12, 4)
+        x, y = art.pixel((9.3, 21.5))
+        words = pygame.Rect(int(x) - 26, int(y) - 16, 52, 16)
+        areas = [[times * side for side in rect] for rect in (beside, words)]
+        seen.append([pygame.transform.average_color(window.surface, area)[:3] for area in areas])
+    for small, large in zip(*seen, strict=True):
+        assert large == pytest.approx(small, abs=12.0)
