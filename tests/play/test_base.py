@@ -12,7 +12,7 @@ from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
 from carom.play.screen import NoDisplay, window_size
 from carom.play.sound import RATE, Speaker, faded, joined, mixed, noise, samples, tone
-from carom.play.window import Ticker, Window, play
+from carom.play.window import Patience, Ticker, Window, play
 
 
 class Counting:
@@ -69,6 +69,20 @@ def test_while_kernels_are_compiled_a_line_in_the_corner_says_so_and_time_makes_
         assert told.any() == compiling
         assert not told[:, :100].any()
         assert ticker.due(0.25) == (8 if compiling else 48)
+
+
+def test_steps_that_take_long_while_kernels_are_compiled_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    compiling = True
+    monkeypatch.setattr(carom, "compiling", lambda: compiling)
+    patience = Patience()
+    assert patience.allows(0.02)
+    patience.took(0.01)
+    assert patience.allows(0.02)
+    patience.took(0.2)
+    assert [patience.allows(0.5) for _ in range(4)] == [False, False, False, True]
+    patience.took(0.2)
+    compiling = False
+    assert patience.allows(0.02)
 
 
 def test_the_line_about_compiling_says_for_how_long(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -25,6 +25,8 @@ COMPILING = "compiling in the background, once on this machine, for {:.0f} s: so
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.
 GREETING = "one moment ..."
+#: Seconds: what takes longer in a frame while kernels are compiled is not tried again for so long.
+LONG, REST = 0.05, 2.0
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
 TOLD = 5.0
@@ -162,6 +164,25 @@ def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
         return Window(game()).run(seconds)
     finally:
         pygame.quit()
+
+
+class Patience:
+    """Lets time stand still where steps, interpreted while kernels are compiled, would keep the window from answering.
+
+    For the call that would take much longer yet does not return until they are compiled.
+    """
+
+    def __init__(self) -> None:
+        self._rest = 0.0
+
+    def allows(self, seconds: float) -> bool:
+        """Whether steps are to be made now that `seconds` went by."""
+        self._rest = max(self._rest - seconds, 0.0)
+        return self._rest == 0.0 or not carom.compiling()
+
+    def took(self, seconds: float) -> None:
+        """Take note of how long the steps of a frame took."""
+        self._rest = REST if seconds > LONG else 0.0
 
 
 class Ticker:

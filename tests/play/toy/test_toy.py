@@ -140,6 +140,30 @@ def test_pointing_at_a_shape_reads_its_numbers(
     assert wanted.items() <= pairs.items()
 
 
+def test_time_stands_still_while_steps_would_hold_up_the_window(
+    player: Player, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.key(pygame.K_p)
+    monkeypatch.setattr(app.carom, "compiling", lambda: True)
+    step = player.desk.advance
+
+    def slow(frames: int) -> Any:
+        monkeypatch.setattr(app, "perf_counter", lambda: 1.0)
+        return step(frames)
+
+    monkeypatch.setattr(player.desk, "advance", slow)
+    monkeypatch.setattr(app, "perf_counter", lambda: 0.0)
+    player.frames(1)
+    began = player.world.time
+    player.frames(3)
+    assert player.world.time == began
+    player.key(pygame.K_F1)
+    assert player.desk.help, "the window answers meanwhile"
+    monkeypatch.setattr(app.carom, "compiling", lambda: False)
+    player.frames(1)
+    assert player.world.time > began
+
+
 def test_pointing_at_nothing_or_at_the_panel_reads_nothing(player: Player) -> None:
     player.point((10.0, 16.0))
     assert words_on(player) == ("", {})

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from math import radians
+from time import perf_counter
 from types import MappingProxyType
 from typing import Any
 
 import pygame
 
+import carom
 from carom.play.controls import Controls
 from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
@@ -29,7 +31,7 @@ from carom.play.toy.sounds import tick, ticks
 from carom.play.toy.table import Table
 from carom.play.toy.view import View
 from carom.play.toy.words import figure_texts, load_text
-from carom.play.window import RATE, Ticker, play
+from carom.play.window import RATE, Patience, Ticker, play
 
 #: Pixels: the window, and the panel and the strip in it.
 SIZE, PANEL, STRIP = (1280, 800), 364, 92
@@ -63,6 +65,7 @@ class Toy:
         self._controls: Controls[str] = Controls(KEYS, BUTTONS, tell)
         self._speaker = Speaker(ticks(), tell)
         self._ticker = Ticker(STEP)
+        self._patience = Patience()
         self.meter = FrameMeter(RATE)
         self._losses = beside.Losses()
         self._mouse = (-1, -1)
@@ -205,7 +208,12 @@ class Toy:
         """Go on by so much time."""
         self._agree()
         self.desk.hand.wait(seconds)
-        parts = self.desk.advance(self._ticker.due(seconds))
+        parts: Sequence[carom.Hits] = ()
+        due = self._ticker.due(seconds)
+        if self._patience.allows(seconds):
+            began = perf_counter()
+            parts = self.desk.advance(due)
+            self._patience.took(perf_counter() - began)
         for place, hits in enumerate(parts):
             self.views[place % len(self.views)].note(hits)
         if self.desk.told != self._told_last:
