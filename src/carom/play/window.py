@@ -20,13 +20,13 @@ RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
 #: What is written in the picture's lower left corner while it is so.
-COMPILING = "compiling in the background, once on this machine, for {:.0f} s: soon it runs faster"
+COMPILING = "compiling in the background, once on this machine, for {:.0f} s: until then time is slow, or stands still"
 #: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.
 GREETING = "one moment ..."
-#: Seconds: what takes longer in a frame while kernels are compiled is not tried again for so long.
-LONG, REST = 0.05, 2.0
+#: Seconds: steps of a frame that take longer are not made again while kernels are compiled.
+LONG = 0.05
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
 TOLD = 5.0
@@ -169,20 +169,20 @@ def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
 class Patience:
     """Lets time stand still where steps, interpreted while kernels are compiled, would keep the window from answering.
 
-    For the call that would take much longer yet does not return until they are compiled.
+    A step that would take much longer yet does not come back until they are compiled: none such is begun.
     """
 
     def __init__(self) -> None:
-        self._rest = 0.0
+        self._long = False
 
-    def allows(self, seconds: float) -> bool:
-        """Whether steps are to be made now that `seconds` went by."""
-        self._rest = max(self._rest - seconds, 0.0)
-        return self._rest == 0.0 or not carom.compiling()
+    @property
+    def allows(self) -> bool:
+        """Whether steps are to be made now."""
+        return not (self._long and carom.compiling())
 
     def took(self, seconds: float) -> None:
         """Take note of how long the steps of a frame took."""
-        self._rest = REST if seconds > LONG else 0.0
+        self._long = seconds > LONG
 
 
 class Ticker:
