@@ -75,13 +75,18 @@ def test_steps_that_take_long_while_kernels_are_compiled_wait(monkeypatch: pytes
     compiling = True
     monkeypatch.setattr(carom, "compiling", lambda: compiling)
     patience = Patience()
-    assert patience.allows
+    assert patience.allows(0.02)
+    for times in (1, 2):
+        patience.took(0.2)
+        assert not patience.allows(times - 0.5)
+        assert patience.allows(0.6), "it is tried again"
     patience.took(0.01)
-    assert patience.allows
-    patience.took(0.2)
-    assert not patience.allows
+    assert patience.allows(0.02)
+    for _ in range(3):
+        patience.took(0.2)
+    assert not patience.allows(99.0)
     compiling = False
-    assert patience.allows
+    assert patience.allows(0.02)
 
 
 def test_the_line_about_compiling_says_for_how_long(monkeypatch: pytest.MonkeyPatch) -> None:

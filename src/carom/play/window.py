@@ -25,8 +25,9 @@ COMPILING = "compiling in the background, once on this machine, for {:.0f} s: un
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.
 GREETING = "one moment ..."
-#: Seconds: steps of a frame that take longer are not made again while kernels are compiled.
-LONG = 0.05
+#: Seconds: steps of a frame that take longer while kernels are compiled are not made again for so long, times the number
+#: of times that they did; and how many times at most.
+LONG, REST, TRIES = 0.07, 1.0, 3
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
 TOLD = 5.0
@@ -169,20 +170,23 @@ def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
 class Patience:
     """Lets time stand still where steps, interpreted while kernels are compiled, would keep the window from answering.
 
-    A step that would take much longer yet does not come back until they are compiled: none such is begun.
+    A step that would take much longer yet does not come back until they are compiled. So what took long is tried again
+    after a while, and where it took long time and again, only once they are compiled.
     """
 
     def __init__(self) -> None:
-        self._long = False
+        self._times = 0
+        self._rest = 0.0
 
-    @property
-    def allows(self) -> bool:
-        """Whether steps are to be made now."""
-        return not (self._long and carom.compiling())
+    def allows(self, seconds: float) -> bool:
+        """Whether steps are to be made now that `seconds` went by."""
+        self._rest = max(self._rest - seconds, 0.0)
+        return not carom.compiling() or (self._rest == 0.0 and self._times < TRIES)
 
     def took(self, seconds: float) -> None:
         """Take note of how long the steps of a frame took."""
-        self._long = seconds > LONG
+        self._times = self._times + 1 if seconds > LONG else 0
+        self._rest = REST * self._times
 
 
 class Ticker:

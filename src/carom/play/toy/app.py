@@ -210,7 +210,7 @@ class Toy:
         self.desk.hand.wait(seconds)
         parts: Sequence[carom.Hits] = ()
         due = self._ticker.due(seconds)
-        if self._patience.allows:
+        if self._patience.allows(seconds):
             began = perf_counter()
             parts = self.desk.advance(due)
             self._patience.took(perf_counter() - began)
