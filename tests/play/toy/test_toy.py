@@ -164,6 +164,20 @@ def test_time_stands_still_while_steps_would_hold_up_the_window(
     assert player.world.time > began
 
 
+def test_tables_of_the_continuous_mode_wait_for_a_compiler(player: Player, monkeypatch: pytest.MonkeyPatch) -> None:
+    compiling = True
+    monkeypatch.setattr(app.carom, "compiling", lambda: compiling)
+    player.key(pygame.K_p)
+    player.key(pygame.K_d)
+    assert player.world.detection == "continuous"
+    began = player.world.time
+    player.frames(3)
+    assert player.world.time == began
+    compiling = False
+    player.frames(3)
+    assert player.world.time > began
+
+
 def test_pointing_at_nothing_or_at_the_panel_reads_nothing(player: Player) -> None:
     player.point((10.0, 16.0))
     assert words_on(player) == ("", {})

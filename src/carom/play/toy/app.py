@@ -210,7 +210,7 @@ class Toy:
         self.desk.hand.wait(seconds)
         parts: Sequence[carom.Hits] = ()
         due = self._ticker.due(seconds)
-        if self._patience.allows(seconds):
+        if self._patience.allows(seconds) and not self._waits():
             began = perf_counter()
             parts = self.desk.advance(due)
             self._patience.took(perf_counter() - began)
@@ -223,6 +223,10 @@ class Toy:
         tick(self._speaker, parts)
         self._count(seconds)
         self.panel.advance(seconds)
+
+    def _waits(self) -> bool:
+        """Whether time stands still for a compiler: interpreted, a continuous step of fast balls takes seconds."""
+        return carom.compiling() and any(table.world.detection == "continuous" for table in self.desk.tables)
 
     def _agree(self) -> None:
         """Show what the desk's settings say, where they have changed."""
