@@ -25,8 +25,8 @@ COMPILING = "compiling in the background, once on this machine, for {:.0f} s: un
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.
 GREETING = "one moment ..."
-#: Seconds: steps of a frame that take longer while kernels are compiled are not made again for so long, times the number
-#: of times that they did; and how many times at most.
+#: Seconds: steps of a frame that take longer while kernels are compiled are not made again for so long, the longer the
+#: more often they did; and how often at most.
 LONG, REST, TRIES = 0.07, 1.0, 3
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
