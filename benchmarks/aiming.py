@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import carom
 from benchmarks.common import Figure
-from carom.play.pinball.rules.lamps import BANK, ORBITS, TARGETS
+from carom.play.pinball.rules.lamps import BANK, ORBITS, SAUCER, TARGETS
 from carom.play.pinball.rules.table import BALL_RADIUS, STEP, Flipper, Table
 from carom.scene.shipped.pinball_table import FLIPPER_REST
 
 TITLE = "Aiming: a shot's direction by the place of the bat that strikes, from the pivot outwards"
 
 #: What a player aims at.
-AIMS = (*TARGETS, *BANK, *ORBITS, "spinner")
+AIMS = (*TARGETS, *BANK, *ORBITS, SAUCER, "spinner")
 #: What a shot may touch, by the ends of names, and still meet by intent what it meets then.
 GUIDING = ("wall", "guide", "gate", "dome", "shoulder", "guard point", "lane", "orbit")
 #: Where a ball lies from which it comes to rest on the raised left flipper, and where it enters the left inlane at what

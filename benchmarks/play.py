@@ -14,6 +14,10 @@ TITLE = "Games: the processor's time for a frame, of 16.7 ms; the slowest of a h
 FRAME, WARM = 1 / 60, 60
 
 
+#: Pixels of the screens on which windows open, by what they are called.
+SCREENS = {"": (1920, 1080), ", 4K": (3840, 2160)}
+
+
 def frames(game: Any, count: int, before: Callable[[int], None] | None = None) -> tuple[float, float]:
     """Milliseconds of the processor for a frame of a game: the median, and what 99 of 100 do not exceed."""
     from carom.play.window import Window
@@ -89,12 +93,14 @@ def run(quick: bool) -> list[Figure]:
         os.environ[driver] = "dummy"
     import pygame
 
-    pygame.display.get_desktop_sizes = lambda: [(1920, 1080)]  # as large as screens are
-    count = 20 if quick else 600
-    figures = [
-        Figure(workload, "carom", middle, "ms", remarks={"99 % within": f"{slow:.2f} ms"})
-        for game in (pinball, toy, pool)
-        for workload, (middle, slow) in game(count).items()
-    ]
+    count = 20 if quick else 300
+    figures = []
+    for screen, size in SCREENS.items():
+        pygame.display.get_desktop_sizes = lambda size=size: [size]
+        figures += [
+            Figure(f"{workload}{screen}", "carom", middle, "ms", remarks={"99 % within": f"{slow:.2f} ms"})
+            for game in (pinball, toy, pool)
+            for workload, (middle, slow) in game(count).items()
+        ]
     pygame.quit()
     return figures

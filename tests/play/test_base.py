@@ -12,7 +12,7 @@ from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
 from carom.play.screen import NoDisplay, window_size
 from carom.play.sound import RATE, Speaker, faded, joined, mixed, noise, samples, tone
-from carom.play.window import Ticker, Window, play
+from carom.play.window import Patience, Ticker, Window, play
 
 
 class Counting:
@@ -69,6 +69,44 @@ def test_while_kernels_are_compiled_a_line_in_the_corner_says_so_and_time_makes_
         assert told.any() == compiling
         assert not told[:, :100].any()
         assert ticker.due(0.25) == (8 if compiling else 48)
+
+
+def test_steps_that_take_long_while_kernels_are_compiled_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    compiling = True
+    monkeypatch.setattr(carom, "compiling", lambda: compiling)
+    patience = Patience()
+    assert patience.allows(0.02)
+    for times in (1, 2):
+        patience.took(0.2)
+        assert not patience.allows(times - 0.5)
+        assert patience.allows(0.6), "it is tried again"
+    patience.took(0.01)
+    assert patience.allows(0.02)
+    for _ in range(3):
+        patience.took(0.2)
+    assert not patience.allows(99.0)
+    compiling = False
+    assert patience.allows(0.02)
+
+
+def test_the_line_about_compiling_says_for_how_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(carom, "compiling", lambda: True)
+    window = Window(Counting(frames=99))
+    written: list[str] = []
+    monkeypatch.setattr(Letters, "draw", lambda self, surface, words, *_, **__: written.append(words))
+    for _ in range(5):
+        window.frame(0.6)
+    assert [words.split(" s:")[0][-4:] for words in written] == ["or 1", "or 1", "or 2", "or 2", "or 3"]
+
+
+def test_a_window_says_that_it_is_there_until_its_first_frame() -> None:
+    window = Window(Counting())
+    shown = pygame.surfarray.array3d(pygame.display.get_surface()).max(axis=2)
+    words = np.argwhere(shown > 150)
+    assert len(words) > 50
+    assert words.mean(axis=0) == pytest.approx((100, 60), abs=6.0)
+    window.frame(0.01)
+    assert (pygame.surfarray.array3d(pygame.display.get_surface()) == (10, 20, 30)).all()
 
 
 def test_a_window_that_is_closed_ends_the_game() -> None:
@@ -131,6 +169,10 @@ def test_a_window_of_any_size_shows_all_of_the_picture_and_knows_where_the_mouse
 
 def test_a_picture_larger_than_the_desktop_is_shown_smaller() -> None:
     assert window_size((800, 840), (1920, 1080)) == (800, 840)
+    assert window_size((800, 840), (1920, 1080), most=3) == (800, 840)
+    assert window_size((800, 840), (3840, 2160)) == (800, 840)
+    assert window_size((800, 840), (3840, 2160), most=3) == (1600, 1680)
+    assert window_size((800, 840), (9999, 9999), most=3) == (2400, 2520)
     width, height = window_size((800, 840), (1366, 768))
     assert height < 0.9 * 768
     assert width / height == pytest.approx(800 / 840, rel=0.01)

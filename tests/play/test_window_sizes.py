@@ -218,6 +218,15 @@ def test_a_game_that_can_draws_larger_in_large_windows(
     assert window.surface is pygame.display.get_surface()
 
 
+def test_a_window_on_a_large_screen_is_opened_larger_for_a_game_that_can(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pygame.display, "get_desktop_sizes", lambda: [(1000, 700)])
+    for game, times in ((White(), 1), (Sharp(), 2)):
+        width, height = game.size
+        window = Window(game)
+        assert window.surface.get_size() == game.size == shown_size() == (times * width, times * height)
+        pygame.quit()
+
+
 def a_toy() -> Game:
     """The toy."""
     return Toy(lambda line: None)

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 #: Seconds of tracks and of hits, and in how many bands tracks fade.
 SPAN, LIVE_BANDS = 1.5, 4
+#: The greatest zoom.
+MOST_ZOOM = 8
 #: The ink of balls that sleep.
 ASLEEP = "off"
 #: The greatest impulse and speeds, which sizes of marks are relative to, are looked at every so many frames; what is
@@ -53,10 +55,11 @@ class Live:
         layers: What to show; can be set at any time.
         theme: Its colours.
         changing: Shapes at rest that are switched on and off.
+        zoom: How many pixels wide the thinnest lines are; marks and letters are as many times as large.
 
     Raises:
         MissingExtra: pygame is not installed.
-        InvalidArgument: There is no such size or layer, or the box has no width or no height.
+        InvalidArgument: There is no such size, layer or zoom, or the box has no width or no height.
 
     >>> import carom, pygame
     >>> from carom import draw
@@ -77,12 +80,14 @@ class Live:
         layers: Collection[Layer] = DEFAULT_LAYERS,
         theme: ThemeName = ThemeName.DARK,
         changing: Collection[Shape] = (),
+        zoom: int = 1,
     ) -> None:
         for side in size:
             whole("size", side, LEAST_SIDE, MOST_SIDE)
+        whole("zoom", zoom, 1, MOST_ZOOM)
         if box.right <= box.left or box.top <= box.bottom:
             raise refuse("box", "must have a width and a height", box)
-        self.frame = frame_around(box, size)
+        self.frame = frame_around(box, size, zoom)
         self._world = world
         self._past = Past(world, SPAN)
         self._painter = RasterPainter(self.frame, theme)
@@ -189,13 +194,13 @@ class Live:
         return inks
 
 
-def frame_around(box: Aabb, size: tuple[int, int]) -> Frame:
+def frame_around(box: Aabb, size: tuple[int, int], zoom: int) -> Frame:
     """The frame that shows `box` as large as fits in a picture of a size, and nothing else."""
-    width, height = size
+    width, height = (side / zoom for side in size)
     scale = min(width / (box.right - box.left), height / (box.top - box.bottom))
     left = 0.5 * (width - (box.right - box.left) * scale)
     top = 0.5 * (height - (box.top - box.bottom) * scale)
-    return Frame(float(width), float(height), box, scale, left, top, panel=False)
+    return Frame(width, height, box, scale, left, top, panel=False, zoom=zoom)
 
 
 def drawn(shape: Shape, material: Look) -> Drawn:

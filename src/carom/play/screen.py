@@ -48,7 +48,7 @@ class Screen:
         self._size = size
         self._magnified = magnified
         self._full = False
-        self._windowed = window_size(size, pygame.display.get_desktop_sizes()[0])
+        self._windowed = window_size(size, pygame.display.get_desktop_sizes()[0], LARGEST if magnified else 1)
         self._open(self._windowed)
         self._owns = {1: pygame.Surface(size).convert()}
         self.fit()
@@ -133,12 +133,15 @@ def area_in(window: tuple[int, int], picture: tuple[int, int]) -> tuple[pygame.R
     return pygame.Rect((window[0] - width) // 2, (window[1] - height) // 2, width, height), scale
 
 
-def window_size(picture: tuple[int, int], desktop: tuple[int, int]) -> tuple[int, int]:
-    """How large a window is for a picture: as large as that, or smaller where the desktop has no room for it."""
-    if picture[0] <= desktop[0] and picture[1] <= desktop[1]:
-        return picture
-    scale = ROOM * min(desktop[0] / picture[0], desktop[1] / picture[1])
-    return round(scale * picture[0]), round(scale * picture[1])
+def window_size(picture: tuple[int, int], desktop: tuple[int, int], most: int = 1) -> tuple[int, int]:
+    """How large a window is for a picture: as large as that, or smaller where the desktop has no room for it.
+
+    Up to `most` times as large where the desktop has room for that.
+    """
+    room = min(desktop[0] / picture[0], desktop[1] / picture[1])
+    scale = 1.0 if room >= 1.0 else ROOM * room
+    times = min(max(int(ROOM * room), 1), most)
+    return round(scale * picture[0]) * times, round(scale * picture[1]) * times
 
 
 def check_screen() -> None:

@@ -20,9 +20,14 @@ RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
 #: What is written in the picture's lower left corner while it is so.
-COMPILING = "compiling in the background: soon it runs faster"
+COMPILING = "compiling in the background, once on this machine, for {:.0f} s: until then time is slow, or stands still"
 #: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
+#: What a window says until its first frame.
+GREETING = "one moment ..."
+#: Seconds: steps of a frame that take longer while kernels are compiled are not made again for so long, the longer the
+#: more often they did; and how often at most.
+LONG, REST, TRIES = 0.07, 1.0, 3
 #: The keys that keep a screenshot, and for how many seconds it is said where.
 SCREENSHOT = (pygame.K_PRINTSCREEN, pygame.K_F12)
 TOLD = 5.0
@@ -72,7 +77,9 @@ class Window:
         self._letters = Letters()
         self._shooting = False
         self._kept, self._kept_left = "", 0.0
+        self._compiled_for = 0.0
         pygame.display.set_caption(game.title)
+        self._greet()
 
     @property
     def surface(self) -> pygame.Surface:
@@ -103,6 +110,16 @@ class Window:
         game.meter.end()
         pygame.display.flip()
 
+    def _greet(self) -> None:
+        """Say that the game is about to begin: its first frame takes a moment, for which it is painted."""
+        picture, size = self.surface, SMALL * self._times
+        picture.fill(PLATE)
+        width, height = picture.get_size()
+        self._letters.draw(picture, GREETING, (width / 2, (height - size) / 2), size, INK, anchor="middle")
+        self._screen.show()
+        pygame.display.flip()
+        pygame.event.pump()
+
     def _magnify(self) -> None:
         """Have the game draw as large as the screen has its picture."""
         if self._screen.times != self._times and isinstance(self._game, Sharp):
@@ -117,7 +134,8 @@ class Window:
 
     def _tell(self, seconds: float) -> None:
         """Write into the picture's corner where a screenshot was kept, and that kernels are compiled meanwhile."""
-        lines = [COMPILING] if carom.compiling() else []
+        self._compiled_for = self._compiled_for + seconds if carom.compiling() else 0.0
+        lines = [COMPILING.format(self._compiled_for)] if self._compiled_for else []
         if self._kept_left > 0.0:
             lines.append(self._kept)
             self._kept_left -= seconds
@@ -147,6 +165,28 @@ def play(game: Callable[[], Game], seconds: float | None) -> FrameMeter:
         return Window(game()).run(seconds)
     finally:
         pygame.quit()
+
+
+class Patience:
+    """Lets time stand still where steps, interpreted while kernels are compiled, would keep the window from answering.
+
+    A step that would take much longer yet does not come back until they are compiled. So what took long is tried again
+    after a while, and where it took long time and again, only once they are compiled.
+    """
+
+    def __init__(self) -> None:
+        self._times = 0
+        self._rest = 0.0
+
+    def allows(self, seconds: float) -> bool:
+        """Whether steps are to be made now that `seconds` went by."""
+        self._rest = max(self._rest - seconds, 0.0)
+        return not carom.compiling() or (self._rest == 0.0 and self._times < TRIES)
+
+    def took(self, seconds: float) -> None:
+        """Take note of how long the steps of a frame took."""
+        self._times = self._times + 1 if seconds > LONG else 0
+        self._rest = REST * self._times
 
 
 class Ticker:

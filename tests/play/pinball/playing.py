@@ -6,10 +6,10 @@ from pathlib import Path
 import pygame
 import pytest
 
-import carom
 from carom.play.pinball import HighScores, Pinball, PinballApp
 from carom.play.pinball.art import back as art_back
 from carom.play.pinball.art import pictures as art
+from carom.play.pinball.rules.table import Table
 from carom.play.pinball.screen import sounds
 from carom.play.window import Window
 from tests.play import screens
@@ -20,13 +20,13 @@ STEP = Pinball.STEP
 SCREEN = (560, 588)
 
 Art = art.Art
-art_once = cache(lambda: Art(carom.scenes.pinball().build()))
+art_once = cache(lambda times: Art(Table().world, times))
 backs_once, sounds_once = cache(art_back.paint_backs), cache(sounds.make)
 
 
 def make_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have art and sounds made once for all sessions."""
-    monkeypatch.setattr(art, "Art", lambda world: art_once())
+    monkeypatch.setattr(art, "Art", lambda world, times: art_once(times))
     monkeypatch.setattr(art_back, "paint_backs", backs_once)
     monkeypatch.setattr(sounds, "make", sounds_once)
 

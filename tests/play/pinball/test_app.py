@@ -8,8 +8,9 @@ import pytest
 from carom.play.controls import Button
 from carom.play.pinball import Control, HighScores, Phase, Pinball, PinballApp, Score, run
 from carom.play.pinball.screen import display, help
-from carom.play.pinball.screen.app import BEHIND, BUTTONS, KEYS
+from carom.play.pinball.screen.app import BUTTONS, KEYS
 from carom.play.pinball.screen.lines import Mode
+from carom.play.pinball.screen.sheet import BEHIND
 from carom.play.window import Window
 from tests.play.pinball.playing import STEP, bytes_of, key, make_once, session, tapped
 
@@ -79,12 +80,12 @@ def test_nudges_move_the_picture_and_calm_down() -> None:
         (pygame.K_w, 1, -1, (200, 838)),
     ):
         tapped(window, number)
-        assert app.view.effects.shift[axis] * sign > 0
+        assert app.effects.shift[axis] * sign > 0
         assert window.surface.get_at(bared)[:3] == BEHIND
         assert bytes_of(window, pygame.Rect(470, 60, 60, 60)) == back, "the back is not nudged"
         for _ in range(3):
-            app.view.effects.advance(0.1)
-        assert app.view.effects.shift == (0, 0)
+            app.effects.advance(0.1)
+        assert app.effects.shift == (0, 0)
 
 
 def test_every_control_has_a_key_and_a_button() -> None:
@@ -110,7 +111,7 @@ def test_a_controller_plays() -> None:
     assert app.game.plunger_pull > 0.0
     pygame.event.post(pygame.event.Event(pygame.JOYHATMOTION, instance_id=7, hat=0, value=(-1, 0)))
     window.frame(STEP)
-    assert app.view.effects.shift[0] < 0
+    assert app.effects.shift[0] < 0
 
 
 def test_escape_leaves() -> None:

@@ -14,12 +14,12 @@ from carom.play.pinball.art import sprites as art_sprites
 from carom.play.pinball.art.lamps import lenses
 from carom.play.pinball.art.paint import CORAL, NIGHT, Canvas, bow, glow, mixed, star
 from carom.play.pinball.rules import lamps
-from carom.play.pinball.rules.table import BALL_RADIUS
+from carom.play.pinball.rules.table import BALL_RADIUS, Table
 
 
 @pytest.fixture(scope="module")
 def world() -> carom.World:
-    return carom.scenes.pinball().build()
+    return Table().world
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from carom.play.pinball.rules.events import EventKind
-from carom.play.pinball.rules.lamps import BANK, BUMPERS, LANES, ORBITS, TARGETS, LampState
+from carom.play.pinball.rules.lamps import BANK, BUMPERS, LANES, ORBITS, SAUCER, TARGETS, LampState
 from carom.play.pinball.rules.modes import MODES
-from carom.play.pinball.rules.rules import RATE
+from carom.play.pinball.rules.rules import MORE_TIME, RATE
 from carom.play.pinball.rules.table import Table
 from carom.play.pinball.screen.dots import COLUMNS, width
 from tests.play.pinball.test_rules import Played
@@ -36,6 +36,8 @@ def shoot(played: Played, place: int) -> None:
 
 
 def test_three_lit_bumpers_start_the_modes_in_turn_and_all_shots_of_one_bring_its_reward(played: Played) -> None:
+    assert played.rules.goal == "SAUCER FOR A MODE"
+    played.rules.table.saucer_open = False
     assert played.rules.goal == "BUMPERS FOR A MODE"
     for mode in (*MODES, MODES[0]):
         played.events.clear()
@@ -93,7 +95,8 @@ def test_ball_tilt_and_multiball_end_a_mode(played: Played, end: str) -> None:
     assert len(played.told(EventKind.MODE)) == 1
 
 
-PARTS = (*BUMPERS, *BUMPERS, *ORBITS, *TARGETS, *LANES, *BANK, "left inlane", "right outlane", "wait", "spin", "ball")
+ROLLED = (*ORBITS, SAUCER, *LANES, "left inlane", "right outlane")
+PARTS = (*BUMPERS, *BUMPERS, *ROLLED, *TARGETS, *BANK, "wait", "spin", "ball")
 
 
 @settings(max_examples=25, deadline=None)
@@ -113,4 +116,5 @@ def test_whatever_is_shot_every_point_is_told_of_and_the_line_fits_the_display(n
         assert 0 < width(played.rules.goal) <= COLUMNS - 2
         before = played.rules.score
         mode = played.rules.modes.mode
-        assert mode is None or (not played.rules.multiball and 0 < played.rules.modes.steps_left <= mode.seconds * RATE)
+        most = 0 if mode is None else (mode.seconds + MORE_TIME * names.count(SAUCER)) * RATE
+        assert mode is None or (not played.rules.multiball and 0 < played.rules.modes.steps_left <= most)

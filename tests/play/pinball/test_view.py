@@ -68,7 +68,7 @@ def test_a_bumper_flashes_when_it_kicks_and_a_slingshot_too() -> None:
     before = drawn(view)
     view.effects.note([Event(EventKind.BUMPER, "low bumper"), Event(EventKind.SLINGSHOT, "left slingshot's band")])
     kicked = drawn(view)
-    for place in (view.art.bumper_places["low bumper"], view.art.slingshots["left slingshot's band"]):
+    for place in (view.art.bumper_places["low bumper"], view.art.kickers["left slingshot's band"]):
         beside = (place[0] + 34.0, place[1])
         assert at(kicked, beside) > at(before, beside)
     view.effects.advance(KICK + 0.01)

@@ -64,8 +64,9 @@ class Player:
         self.frames()
 
     def mouse(self, kind: int, place: tuple[float, float]) -> None:
-        """Move the mouse to a place, or press or let go its button there."""
-        spot = (round(place[0]), round(place[1]))
+        """Move the mouse to a place of the picture, were it not magnified, or press or let go its button there."""
+        times = self.window.surface.get_width() // Toy.size[0]
+        spot = (round(times * place[0]), round(times * place[1]))
         more = {"rel": (0, 0), "buttons": (0, 0, 0)} if kind == pygame.MOUSEMOTION else {"button": 1}
         pygame.event.post(pygame.event.Event(kind, pos=spot, **more))
         self.frames()

@@ -9,6 +9,7 @@ import pytest
 
 from carom.compiler import door
 from carom.compiler.kernels import Kernel
+from carom.play.pen import Pen
 from carom.play.toy import app, colours
 from carom.play.toy.keys import BUTTONS, HELP, KEYS
 from carom.play.toy.settings import SHOWN
@@ -18,7 +19,7 @@ from tests.play.toy.playing import Player
 
 def words_on(player: Player) -> tuple[str, dict[str, str]]:
     """What the strip below the table says now: a title and numbers."""
-    reading = player.toy._pointed_at(player.window.surface)
+    reading = player.toy._pointed_at(Pen(player.window.surface, player.toy._letters))
     return ("", {}) if reading is None else (reading.title, dict(reading.pairs))
 
 
@@ -137,6 +138,44 @@ def test_pointing_at_a_shape_reads_its_numbers(
     title, pairs = words_on(player)
     assert title.startswith(name)
     assert wanted.items() <= pairs.items()
+
+
+def test_time_stands_still_while_steps_would_hold_up_the_window(
+    player: Player, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.key(pygame.K_p)
+    monkeypatch.setattr(app.carom, "compiling", lambda: True)
+    step = player.desk.advance
+
+    def slow(frames: int) -> Any:
+        monkeypatch.setattr(app, "perf_counter", lambda: 1.0)
+        return step(frames)
+
+    monkeypatch.setattr(player.desk, "advance", slow)
+    monkeypatch.setattr(app, "perf_counter", lambda: 0.0)
+    player.frames(1)
+    began = player.world.time
+    player.frames(3)
+    assert player.world.time == began
+    player.key(pygame.K_F1)
+    assert player.desk.help, "the window answers meanwhile"
+    monkeypatch.setattr(app.carom, "compiling", lambda: False)
+    player.frames(1)
+    assert player.world.time > began
+
+
+def test_tables_of_the_continuous_mode_wait_for_a_compiler(player: Player, monkeypatch: pytest.MonkeyPatch) -> None:
+    compiling = True
+    monkeypatch.setattr(app.carom, "compiling", lambda: compiling)
+    player.key(pygame.K_p)
+    player.key(pygame.K_d)
+    assert player.world.detection == "continuous"
+    began = player.world.time
+    player.frames(3)
+    assert player.world.time == began
+    compiling = False
+    player.frames(3)
+    assert player.world.time > began
 
 
 def test_pointing_at_nothing_or_at_the_panel_reads_nothing(player: Player) -> None:

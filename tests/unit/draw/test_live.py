@@ -229,3 +229,28 @@ def test_a_partition_is_that_of_the_world_as_it_is_set(broad_phase: str) -> None
         assert partition.leaves <= 4**3
     else:
         assert partition.nodes == 0
+
+
+def test_a_zoomed_picture_shows_the_same_in_finer_pixels() -> None:
+    world = room()
+    small = draw.Live(world, BOX, SIZE, layers=set(Layer))
+    large = draw.Live(world, BOX, (400, 400), layers=set(Layer), zoom=2)
+    hits = world.step(0.2)
+    for live in (small, large):
+        live.note(hits)
+    surface = pygame.Surface((400, 400))
+    large.draw(surface)
+    halved = pygame.surfarray.array3d(surface).astype(float).reshape(200, 2, 200, 2, 3).mean(axis=(1, 3))
+    means = [pixels.reshape(20, 10, 20, 10, 3).mean(axis=(1, 3)) for pixels in (halved, drawn(small))]
+    assert np.abs(means[0] - means[1]).max() < 20.0
+    assert large.frame.pixel(3.0, 4.0) == small.frame.pixel(3.0, 4.0), "places are those of the layout"
+    wide = draw.Live(world, BOX, (400, 400), layers=set(Layer))
+    wide.draw(surface)
+    thinner = pygame.surfarray.array3d(surface).astype(float).reshape(200, 2, 200, 2, 3).mean(axis=(1, 3))
+    assert np.abs(thinner - halved).max() > 20.0, "its lines are not as wide"
+
+
+@pytest.mark.parametrize("zoom", [0, 9, 1.5])
+def test_a_zoom_that_there_is_not_is_refused(zoom: Any) -> None:
+    with pytest.raises(carom.InvalidArgument, match="zoom"):
+        draw.Live(room(), BOX, SIZE, zoom=zoom)

@@ -13,6 +13,8 @@ from carom.play.pool.game import Vector
 
 #: One number for each pixel, of shape (width, height): how much of it is covered, or how bright it is.
 Field: TypeAlias = NDArray[np.float32]
+#: The farthest, in pixels, over which edges are softened; over more of them they are made fewer.
+SOFTEST = 4.0
 
 
 class Canvas:
@@ -76,11 +78,17 @@ class Canvas:
 
 
 def blurred(field: Field, radius: float) -> Field:
-    """`field` with its edges softened over about `radius` pixels."""
+    """`field` with its edges softened over about `radius` pixels.
+
+    What is softened far has nothing fine, and is softened in larger pixels.
+    """
+    coarser = max(int(radius / SOFTEST), 1)
     grey = np.clip(field * 255.0, 0.0, 255.0).astype(np.uint8)
     surface = pygame.Surface(field.shape, 0, 32)
     pygame.surfarray.blit_array(surface, np.repeat(grey[..., None], 3, axis=2))
-    return _red(pygame.transform.gaussian_blur(surface, max(round(radius), 1)))
+    small = pygame.transform.smoothscale(surface, [max(side // coarser, 1) for side in field.shape])
+    soft = pygame.transform.gaussian_blur(small, max(round(radius / coarser), 1))
+    return _red(pygame.transform.smoothscale(soft, field.shape))
 
 
 def noise(shape: tuple[int, int], stretch: tuple[int, int], seed: int) -> Field:

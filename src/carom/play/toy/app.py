@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from math import radians
+from time import perf_counter
 from types import MappingProxyType
 from typing import Any
 
 import pygame
 
+import carom
 from carom.play.controls import Controls
 from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
+from carom.play.pen import Pen
 from carom.play.sound import Speaker
 from carom.play.toy import beside, colours
 from carom.play.toy.desk import STEP, Desk
@@ -28,7 +31,7 @@ from carom.play.toy.sounds import tick, ticks
 from carom.play.toy.table import Table
 from carom.play.toy.view import View
 from carom.play.toy.words import figure_texts, load_text
-from carom.play.window import RATE, Ticker, play
+from carom.play.window import RATE, Patience, Ticker, play
 
 #: Pixels: the window, and the panel and the strip in it.
 SIZE, PANEL, STRIP = (1280, 800), 364, 92
@@ -55,12 +58,14 @@ class Toy:
 
     def __init__(self, tell: Callable[[str], None]) -> None:
         self.desk = Desk()
+        self._times = 1
         self._letters = Letters(load_script)
         self._stage = pygame.Rect(0, 0, SIZE[0] - PANEL, SIZE[1] - STRIP)
         self._strip = pygame.Rect(0, SIZE[1] - STRIP, SIZE[0] - PANEL, STRIP)
         self._controls: Controls[str] = Controls(KEYS, BUTTONS, tell)
         self._speaker = Speaker(ticks(), tell)
         self._ticker = Ticker(STEP)
+        self._patience = Patience()
         self.meter = FrameMeter(RATE)
         self._losses = beside.Losses()
         self._mouse = (-1, -1)
@@ -73,7 +78,17 @@ class Toy:
     @cached_property
     def panel(self) -> Panel:
         """The panel; made when it is first used, for its buttons need an open window."""
-        return Panel(self.desk, self._letters, (SIZE[0] - PANEL, 0), (PANEL, SIZE[1]))
+        return Panel(self.desk, self._letters, (SIZE[0] - PANEL, 0), (PANEL, SIZE[1]), self._times)
+
+    def magnify(self, times: int) -> None:
+        """Draw the picture `times` as large from now on."""
+        self._times = times
+        self.size = (SIZE[0] * times, SIZE[1] * times)
+        for view in self.views:
+            view.magnify(times)
+        if "panel" in vars(self):
+            del self.panel
+        self._told = ()
 
     @property
     def running(self) -> bool:
@@ -88,6 +103,7 @@ class Toy:
 
     def handle(self, event: pygame.event.Event) -> None:
         """Take one event: of keys, controllers and the mouse, and those of the panel's own buttons."""
+        event = self._unmagnified(event)
         for name, down in self._controls.read(event):
             if down:
                 self._press(name)
@@ -101,6 +117,13 @@ class Toy:
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             self._let_go()
         self.panel.handle(event)
+
+    def _unmagnified(self, event: pygame.event.Event) -> pygame.event.Event:
+        """An event with its place in a picture that is not magnified."""
+        if self._times == 1 or not hasattr(event, "pos"):
+            return event
+        place = tuple(side // self._times for side in event.pos)
+        return pygame.event.Event(event.type, event.dict | {"pos": place})
 
     def _press(self, name: str) -> None:
         """Do what a key says; the key that quits closes the help first."""
@@ -185,7 +208,12 @@ class Toy:
         """Go on by so much time."""
         self._agree()
         self.desk.hand.wait(seconds)
-        parts = self.desk.advance(self._ticker.due(seconds))
+        parts: Sequence[carom.Hits] = ()
+        due = self._ticker.due(seconds)
+        if self._patience.allows(seconds) and not self._waits():
+            began = perf_counter()
+            parts = self.desk.advance(due)
+            self._patience.took(perf_counter() - began)
         for place, hits in enumerate(parts):
             self.views[place % len(self.views)].note(hits)
         if self.desk.told != self._told_last:
@@ -196,13 +224,17 @@ class Toy:
         self._count(seconds)
         self.panel.advance(seconds)
 
+    def _waits(self) -> bool:
+        """Whether time stands still for a compiler: interpreted, a continuous step of fast balls takes seconds."""
+        return carom.compiling() and any(table.world.detection == "continuous" for table in self.desk.tables)
+
     def _agree(self) -> None:
         """Show what the desk's settings say, where they have changed."""
         settings, tables = self.desk.settings, self.desk.tables
         if tuple(view.table for view in self.views) != tables:
             self._losses = beside.Losses()
             places = [self._stage] if len(tables) == 1 else beside.areas(self._stage)
-            self.views = tuple(View(table, area) for table, area in zip(tables, places, strict=True))
+            self.views = tuple(View(table, area, self._times) for table, area in zip(tables, places, strict=True))
             self._seen = None
         if settings != self._seen:
             self._seen = replace(settings)
@@ -232,41 +264,42 @@ class Toy:
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the frame."""
+        pen = Pen(surface, self._letters, self._times)
         if len(self.views) > 1:
-            self._draw_beside(surface)
+            self._draw_beside(pen)
         for view in self.views:
-            view.draw(surface)
-        self._draw_hand(surface)
-        self._draw_strip(surface)
+            view.draw(pen)
+        self._draw_hand(pen)
+        self._draw_strip(pen)
         if self.desk.help:
-            draw_help(surface, self._letters, self._stage)
+            draw_help(pen, self._stage)
         self.panel.draw(surface)
 
-    def _draw_strip(self, surface: pygame.Surface) -> None:
+    def _draw_strip(self, pen: Pen) -> None:
         """Draw what was kept where, or what the control under the mouse means, or the numbers of the shape there."""
         words = self.desk.told if self._told_left > 0.0 else self.panel.sentence(self._mouse)
         if words:
-            draw_sentence(surface, self._letters, self._strip, words)
+            draw_sentence(pen, self._strip, words)
         else:
             hints = EDITING if self.desk.settings.editing else HINTS
-            draw_reading(surface, self._letters, self._strip, self._pointed_at(surface), hints)
+            draw_reading(pen, self._strip, self._pointed_at(pen), hints)
 
-    def _draw_beside(self, surface: pygame.Surface) -> None:
+    def _draw_beside(self, pen: Pen) -> None:
         """Draw what is around two tables."""
-        surface.fill(colours.PAPER, self._stage)
-        beside.draw_captions(surface, self._letters, self.views, self.desk.kinds)
+        pen.fill(colours.PAPER, self._stage)
+        beside.draw_captions(pen, self.views, self.desk.kinds)
         top = self.views[0].area.bottom + 84
         area = pygame.Rect(16, top, self._stage.width - 32, self._stage.bottom - top - 10)
-        self._losses.draw(surface, self._letters, area, self.desk.kinds)
+        self._losses.draw(pen, area, self.desk.kinds)
 
-    def _draw_hand(self, surface: pygame.Surface) -> None:
+    def _draw_hand(self, pen: Pen) -> None:
         """Draw what the hand holds."""
         hand = self.desk.hand
         for view in self.views:
             for ball in hand.held([view.table]):
-                view.mark_throw(surface, ball, hand.velocity, hand.target)
+                view.mark_throw(pen, ball, hand.velocity, hand.target)
 
-    def _pointed_at(self, surface: pygame.Surface) -> Reading | None:
+    def _pointed_at(self, pen: Pen) -> Reading | None:
         """The numbers of what the mouse points at, which is marked; None where it points at nothing."""
         view = self._view_at(self._mouse)
         if view is None or self.desk.help:
@@ -275,7 +308,7 @@ class Toy:
         shape = held[0] if held else self._under(view)
         if shape is None:
             return None
-        view.mark(surface, shape)
+        view.mark(pen, shape)
         return read(shape, -view.table.world.gravity[1])
 
 

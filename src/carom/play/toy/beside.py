@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import pygame
 
-from carom.play.letters import Colour, Letters
+from carom.play.letters import Colour
+from carom.play.pen import Pen
 from carom.play.toy import colours
 from carom.play.toy.view import View
 from carom.play.toy.words import short
@@ -48,18 +49,18 @@ class Losses:
         while self._points[0][0] < self._time - MOST_SPAN:
             self._points.popleft()
 
-    def draw(self, surface: pygame.Surface, letters: Letters, area: pygame.Rect, kinds: Sequence[str]) -> None:
+    def draw(self, pen: Pen, area: pygame.Rect, kinds: Sequence[str]) -> None:
         """Draw a curve for each table, and what to look for."""
-        letters.draw(surface, "Balls lost through walls", area.topleft, 14, colours.TEXT)
-        letters.draw(surface, TRY, (area.left, area.top + 22), 12, colours.MUTED)
+        pen.words("Balls lost through walls", area.topleft, 14, colours.TEXT)
+        pen.words(TRY, (area.left, area.top + 22), 12, colours.MUTED)
         chart = pygame.Rect(area.left, area.top + 52, area.width - 44, area.height - 74)
         span = max(LEAST_SPAN, self._time - self._points[0][0])
         most = max(LEAST_COUNT, *(max(counts) for _, counts in self._points))
         for part in (0.0, 0.5, 1.0):
             y = chart.bottom - round(part * chart.height)
-            pygame.draw.line(surface, colours.RULE, (chart.left, y), (chart.right, y))
-        letters.draw(surface, f"{span:.0f} s ago", (chart.left, chart.bottom + 4), 11, colours.FAINT)
-        letters.draw(surface, "now", (chart.right, chart.bottom + 4), 11, colours.FAINT, anchor="end")
+            pen.line(colours.RULE, (chart.left, y), (chart.right, y))
+        pen.words(f"{span:.0f} s ago", (chart.left, chart.bottom + 4), 11, colours.FAINT)
+        pen.words("now", (chart.right, chart.bottom + 4), 11, colours.FAINT, anchor="end")
         for place in reversed(range(len(kinds))):
             colour = LOOKS[kinds[place]][0]
             points = [
@@ -70,18 +71,18 @@ class Losses:
                 for time, counts in self._points
             ]
             points.append((float(chart.right), points[-1][1]))
-            pygame.draw.lines(surface, colour, False, points, 3)
+            pen.lines(colour, points, 3)
             last = self._points[-1][1][place]
-            letters.draw(surface, short(last), (chart.right + 10, points[-1][1] - 11), 15, colour)
+            pen.words(short(last), (chart.right + 10, points[-1][1] - 11), 15, colour)
 
 
-def draw_captions(surface: pygame.Surface, letters: Letters, views: Sequence[View], kinds: Sequence[str]) -> None:
+def draw_captions(pen: Pen, views: Sequence[View], kinds: Sequence[str]) -> None:
     """Draw the name of each detection above its table, and its counts below."""
     for view, kind in zip(views, kinds, strict=True):
         colour, words = LOOKS[kind]
         left, top = view.area.left + 16, view.area.top - HEAD
-        letters.draw(surface, kind, (left, top + 16), 22, colour)
-        letters.draw(surface, words, (left, top + 44), 12, colours.MUTED)
+        pen.words(kind, (left, top + 16), 22, colour)
+        pen.words(words, (left, top + 44), 12, colours.MUTED)
         table, rates = view.table, view.figures.rates
         counts = (
             (short(table.launched), "launched", colours.TEXT),
@@ -91,5 +92,5 @@ def draw_captions(surface: pygame.Surface, letters: Letters, views: Sequence[Vie
         )
         for place, (number, label, ink) in enumerate(counts):
             x = left + place * (view.area.width - 16) / len(counts)
-            letters.draw(surface, number, (x, view.area.bottom + 14), 28, ink)
-            letters.draw(surface, label, (x, view.area.bottom + 48), 11, colours.MUTED)
+            pen.words(number, (x, view.area.bottom + 14), 28, ink)
+            pen.words(label, (x, view.area.bottom + 48), 11, colours.MUTED)

@@ -24,8 +24,9 @@ def hexed(colour: Colour) -> str:
     return "#{:02x}{:02x}{:02x}".format(*colour)
 
 
-def theme(font: dict[str, str]) -> dict[str, Any]:
-    """The look of pygame_gui's buttons and sliders."""
+def theme(times: int) -> dict[str, Any]:
+    """The look of pygame_gui's buttons and sliders that are drawn `times` as large."""
+    font = {"name": "noto_sans", "size": str(12 * times)}
     chosen = hexed((44, 84, 130))
     colours = {
         "normal_bg": hexed(RAISED),
@@ -45,7 +46,8 @@ def theme(font: dict[str, str]) -> dict[str, Any]:
         "selected_border": hexed(ACCENT),
         "disabled_border": hexed(RULE),
     }
-    shape = {"shape": "rounded_rectangle", "shape_corner_radius": "4", "border_width": "1", "shadow_width": "0"}
+    shape = {"shape": "rounded_rectangle", "shape_corner_radius": str(4 * times), "border_width": str(times)}
+    shape["shadow_width"] = "0"
     handle = {
         "normal_bg": hexed(ACCENT),
         "hovered_bg": hexed(TEXT),
@@ -58,7 +60,7 @@ def theme(font: dict[str, str]) -> dict[str, Any]:
         "#danger": {"colours": {"hovered_bg": hexed((110, 44, 66)), "hovered_border": hexed(BAD)}},
         "horizontal_slider": {
             "colours": {"dark_bg": hexed(PAPER)},
-            "misc": shape | {"enable_arrow_buttons": "0", "sliding_button_width": "12"},
+            "misc": shape | {"enable_arrow_buttons": "0", "sliding_button_width": str(12 * times)},
         },
         "horizontal_slider.#sliding_button": {"colours": handle, "misc": shape | {"border_width": "0"}},
     }

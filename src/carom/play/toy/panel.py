@@ -9,6 +9,7 @@ import pygame
 import pygame_gui
 
 from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.toy import colours
 from carom.play.toy.desk import Desk
 from carom.play.toy.items import ROWS, Buttons, Choice, Gauge, Heading, Numbers, Row, Slider
@@ -27,7 +28,6 @@ POSITIONS = 1000
 HOLD = 4000
 #: Pixels: letters of labels, of figures, of headings.
 SMALL, LARGE = 12, 15
-FONT = {"name": "noto_sans", "size": "12"}
 MOUSE = {pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP}
 
 
@@ -43,17 +43,23 @@ class Manager(pygame_gui.UIManager):
 class Panel:
     """Buttons, sliders and figures in a column of `size` pixels whose left upper corner is `corner`.
 
+    It is drawn `times` as large; all places are those of a panel that is not.
+
     Attributes:
         places: Where each button and the knob of each slider is, in the window: a slider by its name, a button by its
             name, one of a choice by name and value.
     """
 
-    def __init__(self, desk: Desk, letters: Letters, corner: tuple[int, int], size: tuple[int, int]) -> None:
+    def __init__(
+        self, desk: Desk, letters: Letters, corner: tuple[int, int], size: tuple[int, int], times: int = 1
+    ) -> None:
         self._desk = desk
-        self._letters = letters
         self._area = pygame.Rect(corner, size)
-        self._manager = Manager(size, colours.theme(FONT))
-        self._picture = pygame.Surface(size)
+        self._times = times
+        large = (size[0] * times, size[1] * times)
+        self._manager = Manager(large, colours.theme(times))
+        self._picture = pygame.Surface(large)
+        self._pen = Pen(self._picture, letters, times)
         self._buttons: dict[Any, tuple[str, Any]] = {}
         self._sliders: dict[Any, Slider] = {}
         self._texts: dict[str, str] = {}
@@ -82,7 +88,7 @@ class Panel:
     def _make_slider(self, row: Slider, y: int) -> None:
         width = self._area.width - 2 * SIDE - LABELS - VALUES
         rect = pygame.Rect(SIDE + LABELS, y + (HEIGHTS[Slider] - TRACK) // 2, width, TRACK)
-        slider = pygame_gui.elements.UIHorizontalSlider(rect, 0, (0, POSITIONS), self._manager)
+        slider = pygame_gui.elements.UIHorizontalSlider(self._pen.area(rect), 0, (0, POSITIONS), self._manager)
         knob: Any = slider.sliding_button
         knob.set_hold_range((HOLD, HOLD))
         self._sliders[slider] = row
@@ -103,7 +109,7 @@ class Panel:
             self._button((name, None), words, round(SIDE + place * width), y, round(width) - GAP)
 
     def _button(self, meaning: tuple[str, Any], words: str, x: int, y: int, width: int) -> None:
-        rect = pygame.Rect(x, y + 2, width, BUTTON)
+        rect = self._pen.area(pygame.Rect(x, y + 2, width, BUTTON))
         name = "#danger" if meaning[0] in ("clear", "quit") else "#plain"
         self._buttons[pygame_gui.elements.UIButton(rect, words, self._manager, object_id=name)] = meaning
 
@@ -114,7 +120,10 @@ class Panel:
         buttons = {
             name if value is None else (name, value): button.rect for button, (name, value) in self._buttons.items()
         }
-        return {name: rect.move(self._area.topleft) for name, rect in (knobs | buttons).items()}
+        return {
+            name: pygame.Rect(*(side // self._times for side in rect)).move(self._area.topleft)
+            for name, rect in (knobs | buttons).items()
+        }
 
     # -- what happens ------------------------------------------------------------------------------------------------
 
@@ -128,7 +137,8 @@ class Panel:
             return ""
         x, y = place[0] - self._area.left, place[1] - self._area.top
         row = next((row for row, top in self._rows if top <= y < top + HEIGHTS[type(row)]), None)
-        on = next((meaning for button, meaning in self._buttons.items() if button.rect.collidepoint(x, y)), None)
+        spot = self._pen.at((x, y))
+        on = next((meaning for button, meaning in self._buttons.items() if button.rect.collidepoint(spot)), None)
         if on is not None:
             name, value = on
             return SENTENCES[name if value is None else (name, value)]
@@ -146,7 +156,8 @@ class Panel:
         elif event.type == pygame_gui.UI_HORIZONTAL_SLIDER_MOVED and event.ui_element in self._sliders:
             self._slide(self._sliders[event.ui_element], event.value / POSITIONS)
         elif event.type in MOUSE:
-            place = (event.pos[0] - self._area.left, event.pos[1] - self._area.top)
+            left, top = self._area.topleft
+            place = ((event.pos[0] - left) * self._times, (event.pos[1] - top) * self._times)
             was_in, self._manager.pointer = self._busy, place
             self._busy = self.holds(event.pos) or was_in
             self._manager.process_events(pygame.event.Event(event.type, event.dict | {"pos": place}))
@@ -195,13 +206,13 @@ class Panel:
         """Draw the panel into the window, anew where something on it may have changed."""
         if self._busy:
             self._redraw()
-            self._busy = self._area.move(-self._area.left, -self._area.top).collidepoint(self._manager.pointer)
-        surface.blit(self._picture, self._area)
+            self._busy = self._picture.get_rect().collidepoint(self._manager.pointer)
+        surface.blit(self._picture, self._pen.area(self._area))
 
     def _redraw(self) -> None:
         """Draw all rows, then buttons and sliders."""
         self._picture.fill(colours.STAGE)
-        pygame.draw.line(self._picture, colours.RULE, (0, 0), (0, self._area.height))
+        self._pen.line(colours.RULE, (0, 0), (0, self._area.height))
         drawers: Mapping[type, Callable[[Any, int], None]] = {
             Gauge: lambda _, y: self._draw_gauge(y),
             Heading: self._draw_heading,
@@ -215,24 +226,22 @@ class Panel:
         self._manager.draw_ui(self._picture)
 
     def _label(self, words: str, y: float) -> None:
-        self._letters.draw(self._picture, words, (SIDE, y), SMALL, colours.MUTED)
+        self._pen.words(words, (SIDE, y), SMALL, colours.MUTED)
 
     def _draw_gauge(self, y: int) -> None:
         right = self._area.width - SIDE
-        self._letters.draw(self._picture, "Collision Math Toy", (SIDE, y + 12), LARGE, colours.TEXT)
-        self._letters.draw(
-            self._picture, self._texts.get("load", ""), (right, y + 14), SMALL, colours.MUTED, anchor="end"
-        )
+        self._pen.words("Collision Math Toy", (SIDE, y + 12), LARGE, colours.TEXT)
+        self._pen.words(self._texts.get("load", ""), (right, y + 14), SMALL, colours.MUTED, anchor="end")
         bar = pygame.Rect(SIDE, y + 38, self._area.width - 2 * SIDE, 6)
-        pygame.draw.rect(self._picture, colours.PAPER, bar, border_radius=3)
+        self._pen.rect(colours.PAPER, bar, radius=3)
         colour = colours.GOOD if self._share < 0.5 else colours.WARM if self._share < 0.9 else colours.BAD
         filled = pygame.Rect(bar.topleft, (max(6, round(bar.width * min(1.0, self._share))), bar.height))
-        pygame.draw.rect(self._picture, colour, filled, border_radius=3)
+        self._pen.rect(colour, filled, radius=3)
 
     def _draw_heading(self, row: Heading, y: int) -> None:
-        self._letters.draw(self._picture, row.words, (SIDE, y + 9), SMALL, colours.ACCENT)
-        left = SIDE + self._letters.width(row.words, SMALL) + 10
-        pygame.draw.line(self._picture, colours.RULE, (left, y + 16), (self._area.width - SIDE, y + 16))
+        self._pen.words(row.words, (SIDE, y + 9), SMALL, colours.ACCENT)
+        left = SIDE + self._pen.width(row.words, SMALL) + 10
+        self._pen.line(colours.RULE, (left, y + 16), (self._area.width - SIDE, y + 16))
 
     def _draw_numbers(self, row: Numbers, y: int) -> None:
         width = (self._area.width - 2 * SIDE) / len(row.figures)
@@ -240,11 +249,11 @@ class Panel:
             x = SIDE + place * width
             text = self._texts.get(name, "")
             colour = colours.BAD if name == "strays" and text.strip("0 ·") else colours.TEXT
-            self._letters.draw(self._picture, text, (x, y + 2), LARGE, colour)
-            self._letters.draw(self._picture, words, (x, y + 20), SMALL - 2, colours.FAINT)
+            self._pen.words(text, (x, y + 2), LARGE, colour)
+            self._pen.words(words, (x, y + 20), SMALL - 2, colours.FAINT)
 
     def _draw_slider(self, row: Slider, y: int) -> None:
         self._label(row.words, y + 3)
         text = row.text(self._desk.value(row.name))
         right = self._area.width - SIDE
-        self._letters.draw(self._picture, text, (right, y + 3), SMALL, colours.TEXT, anchor="end")
+        self._pen.words(text, (right, y + 3), SMALL, colours.TEXT, anchor="end")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pygame
 
 from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.toy import colours
 from carom.play.toy.probe import Pairs, Reading
 
@@ -30,32 +31,30 @@ HINTS = (
 )
 
 
-def draw_reading(
-    surface: pygame.Surface, letters: Letters, area: pygame.Rect, reading: Reading | None, hints: Pairs = HINTS
-) -> None:
+def draw_reading(pen: Pen, area: pygame.Rect, reading: Reading | None, hints: Pairs = HINTS) -> None:
     """Draw numbers, or hints where there are none."""
-    surface.fill(colours.PAPER, area)
-    x, y = area.left + SIDE, area.top + 8
+    pen.fill(colours.PAPER, area)
+    x, y = float(area.left + SIDE), area.top + 8
     title, pairs = ("", hints) if reading is None else (reading.title, reading.pairs)
     if title:
-        letters.draw(surface, title, (x, y), LARGE, colours.ACCENT)
+        pen.words(title, (x, y), LARGE, colours.ACCENT)
         y += 22
     else:
         y += 18
     for label, number in pairs:
-        width = max(letters.width(label, SMALL), letters.width(number, LARGE - 2))
+        width = max(pen.width(label, SMALL), pen.width(number, LARGE - 2))
         if x + width > area.right - SIDE:
             x, y = area.left + SIDE, y + LINE
-        letters.draw(surface, label, (x, y), SMALL, colours.FAINT)
-        letters.draw(surface, number, (x, y + 13), LARGE - 2, colours.TEXT)
+        pen.words(label, (x, y), SMALL, colours.FAINT)
+        pen.words(number, (x, y + 13), LARGE - 2, colours.TEXT)
         x += width + GAP
 
 
-def draw_sentence(surface: pygame.Surface, letters: Letters, area: pygame.Rect, words: str) -> None:
+def draw_sentence(pen: Pen, area: pygame.Rect, words: str) -> None:
     """Draw a sentence in as few lines as hold it."""
-    surface.fill(colours.PAPER, area)
-    for number, line in enumerate(wrapped(letters, words, area.width - 2 * SIDE)):
-        letters.draw(surface, line, (area.left + SIDE, area.top + 16 + 22 * number), LARGE, colours.TEXT)
+    pen.fill(colours.PAPER, area)
+    for number, line in enumerate(wrapped(pen.letters, words, area.width - 2 * SIDE)):
+        pen.words(line, (area.left + SIDE, area.top + 16 + 22 * number), LARGE, colours.TEXT)
 
 
 def wrapped(letters: Letters, words: str, width: int) -> list[str]:

@@ -10,6 +10,7 @@ import pygame
 import carom
 from carom import draw
 from carom.play.letters import Colour
+from carom.play.pen import Pen
 from carom.play.toy import colours
 from carom.play.toy.figures import Figures, Tree, tree_of
 from carom.play.toy.settings import Settings
@@ -26,7 +27,7 @@ ARROW = 0.12
 
 
 class View:
-    """A table drawn in `area` of the window.
+    """A table drawn in `area` of the window, `times` as large.
 
     Attributes:
         table: The table.
@@ -35,14 +36,24 @@ class View:
         tree: What its broad phase looks like.
     """
 
-    def __init__(self, table: Table, area: pygame.Rect) -> None:
+    def __init__(self, table: Table, area: pygame.Rect, times: int = 1) -> None:
         self.table = table
         self.area = area
         self.figures = Figures(table)
-        self._live = draw.Live(table.world, around(table.world), area.size)
+        self._live = self._drawn(times)
         self._shown: tuple[object, ...] = ()
         self._largest = -1.0
         self.tree = Tree(0, 0, 0.0, 0.0, 0)
+
+    def _drawn(self, times: int) -> draw.Live:
+        """The table's picture, so many times as large."""
+        size = self.area.width * times, self.area.height * times
+        return draw.Live(self.table.world, around(self.table.world), size, zoom=times)
+
+    def magnify(self, times: int) -> None:
+        """Draw the table `times` as large from now on."""
+        live, self._live = self._live, self._drawn(times)
+        self._live.layers = live.layers
 
     @property
     def reach(self) -> float:
@@ -91,44 +102,44 @@ class View:
             self._largest = largest
             self.tree = tree_of(self.table.world)
 
-    def draw(self, surface: pygame.Surface) -> None:
+    def draw(self, pen: Pen) -> None:
         """Draw the table."""
-        self._live.draw(surface.subsurface(self.area))
+        self._live.draw(pen.surface.subsurface(pen.area(self.area)))
         if self.table.world.statistics.sleeping:
             for ball in self.table.world.balls:
                 if ball.asleep:
-                    self._hollow(surface, ball)
+                    self._hollow(pen, ball)
 
-    def _hollow(self, surface: pygame.Surface, ball: carom.Ball) -> None:
+    def _hollow(self, pen: Pen, ball: carom.Ball) -> None:
         """Make a ring of a ball that sleeps."""
         inside = ball.radius * self._live.frame.scale - WIDE
-        pygame.draw.aacircle(surface, colours.STAGE, self.pixel(ball.position), max(1.0, inside))
+        pen.circle(colours.STAGE, self.pixel(ball.position), max(1.0, inside))
 
-    def mark(self, surface: pygame.Surface, shape: Any) -> None:
+    def mark(self, pen: Pen, shape: Any) -> None:
         """Mark the shape that the mouse points at."""
         ways: dict[str, Any] = {"segment": self._mark_line, "gate": self._mark_line, "arc": self._mark_arc}
-        ways.get(shape.kind, self._mark_round)(surface, shape)
+        ways.get(shape.kind, self._mark_round)(pen, shape)
 
-    def _mark_line(self, surface: pygame.Surface, shape: Any) -> None:
-        pygame.draw.line(surface, colours.ACCENT, self.pixel(shape.p0), self.pixel(shape.p1), WIDE + 2)
+    def _mark_line(self, pen: Pen, shape: Any) -> None:
+        pen.line(colours.ACCENT, self.pixel(shape.p0), self.pixel(shape.p1), WIDE + 2)
 
-    def _mark_arc(self, surface: pygame.Surface, shape: Any) -> None:
+    def _mark_arc(self, pen: Pen, shape: Any) -> None:
         (x, y), turn = shape.center, (shape.end_angle - shape.start_angle) / ARC_STEPS
         angles = [shape.start_angle + step * turn for step in range(ARC_STEPS + 1)]
         points = [self.pixel((x + shape.radius * cos(angle), y + shape.radius * sin(angle))) for angle in angles]
-        pygame.draw.lines(surface, colours.ACCENT, False, points, WIDE + 1)
+        pen.lines(colours.ACCENT, points, WIDE + 1)
 
-    def _mark_round(self, surface: pygame.Surface, shape: Any) -> None:
+    def _mark_round(self, pen: Pen, shape: Any) -> None:
         radius = getattr(shape, "radius", 0.0) * self._live.frame.scale + OFF
-        pygame.draw.aacircle(surface, colours.ACCENT, self.pixel(shape.position), radius, WIDE - 1)
+        pen.circle(colours.ACCENT, self.pixel(shape.position), radius, WIDE - 1)
 
-    def mark_throw(self, surface: pygame.Surface, ball: carom.Ball, velocity: Vector, target: Vector) -> None:
+    def mark_throw(self, pen: Pen, ball: carom.Ball, velocity: Vector, target: Vector) -> None:
         """Draw the way to the mouse, and the velocity that a ball would be thrown with."""
         x, y = ball.position
-        pygame.draw.aaline(surface, colours.MUTED, self.pixel((x, y)), self.pixel(target))
+        pen.thread(colours.MUTED, self.pixel((x, y)), self.pixel(target))
         tip = (x + ARROW * velocity[0], y + ARROW * velocity[1])
-        self._mark_round(surface, ball)
-        arrow(surface, colours.WARM, self.pixel((x, y)), self.pixel(tip))
+        self._mark_round(pen, ball)
+        arrow(pen, colours.WARM, self.pixel((x, y)), self.pixel(tip))
 
 
 def around(world: carom.World) -> carom.Aabb:
@@ -142,7 +153,7 @@ def around(world: carom.World) -> carom.Aabb:
     )
 
 
-def arrow(surface: pygame.Surface, colour: Colour, start: Vector, tip: Vector) -> None:
+def arrow(pen: Pen, colour: Colour, start: Vector, tip: Vector) -> None:
     """Draw an arrow, unless it is shorter than its head."""
     along_x, along_y = tip[0] - start[0], tip[1] - start[1]
     long = hypot(along_x, along_y)
@@ -150,6 +161,6 @@ def arrow(surface: pygame.Surface, colour: Colour, start: Vector, tip: Vector) -
         return
     x, y = along_x / long, along_y / long
     neck = (tip[0] - 10.0 * x, tip[1] - 10.0 * y)
-    pygame.draw.line(surface, colour, start, neck, WIDE)
+    pen.line(colour, start, neck, WIDE)
     wings = [(neck[0] - 5.0 * y, neck[1] + 5.0 * x), (neck[0] + 5.0 * y, neck[1] - 5.0 * x)]
-    pygame.draw.polygon(surface, colour, [tip, *wings])
+    pen.polygon(colour, [tip, *wings])

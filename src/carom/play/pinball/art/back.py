@@ -8,6 +8,8 @@ import numpy as np
 import pygame
 
 import carom
+from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.pinball.art import sprites as art_sprites
 from carom.play.pinball.art.ground import sky
 from carom.play.pinball.art.paint import (
@@ -58,13 +60,13 @@ STROKES: dict[str, list[list[Spot]]] = {
 }
 
 
-def paint_backs() -> tuple[pygame.Surface, ...]:
-    """The back with all that never changes, once for each third of the bulbs that is lit."""
-    back = _back()
-    return tuple(_bulbs(back.copy(), lit) for lit in range(BULBS))
+def paint_backs(times: int = 1) -> tuple[pygame.Surface, ...]:
+    """The back with all that never changes, once for each third of the bulbs that is lit, `times` the `SIZE`."""
+    back = _back(times)
+    return tuple(_bulbs(back.copy(), lit, times) for lit in range(BULBS))
 
 
-def _bulbs(back: pygame.Surface, lit: int) -> pygame.Surface:
+def _bulbs(back: pygame.Surface, lit: int, times: int) -> pygame.Surface:
     """A back with bulbs round its painting, every third of them lit."""
     path = PAINTING.inflate(2, 2)
     wide, high = path.width // 15, path.height // 15
@@ -74,51 +76,53 @@ def _bulbs(back: pygame.Surface, lit: int) -> pygame.Surface:
         *((path.right - path.width * n / wide, path.bottom) for n in range(wide)),
         *((path.left, path.bottom - path.height * n / high) for n in range(high)),
     ]
-    shine = glow(9, GOLD, 0.9, 1.4)
+    shine = glow(9 * times, GOLD, 0.9, 1.4)
     for number, (x, y) in enumerate(places):
         on = number % BULBS == lit
+        middle = round(x) * times, round(y) * times
         if on:
-            back.blit(shine, (round(x) - 9, round(y) - 9), special_flags=pygame.BLEND_RGB_ADD)
-        pygame.draw.aacircle(back, CREAM if on else mixed(GOLD, NIGHT, 0.55), (round(x), round(y)), 3)
+            back.blit(shine, (middle[0] - 9 * times, middle[1] - 9 * times), special_flags=pygame.BLEND_RGB_ADD)
+        pygame.draw.aacircle(back, CREAM if on else mixed(GOLD, NIGHT, 0.55), middle, 3 * times)
     return back
 
 
-def _back() -> pygame.Surface:
+def _back(times: int) -> pygame.Surface:
     """The back without its bulbs."""
-    back = pygame.Surface(SIZE, 0, 32)
+    back = pygame.Surface((SIZE[0] * times, SIZE[1] * times), 0, 32)
     back.fill(LACQUER)
-    _pattern(back)
-    canvas = Canvas(SCENE, UNIT, sky(SCENE, UNIT))
+    _pattern(back, times)
+    canvas = Canvas(SCENE, UNIT * times, sky(SCENE, UNIT * times))
     _heaven(canvas)
     _city(canvas)
     picture = canvas.finished()
-    head = art_sprites.ball(31.0)
-    light = glow(92, GOLD, 0.8)
-    picture.blit(light, (266 - 92, 176 - 92), special_flags=pygame.BLEND_RGB_ADD)
-    picture.blit(head, (266 - head.get_width() // 2, 176 - head.get_height() // 2))
-    _neon(picture, "CAROM", pygame.Rect(34, 26, 292, 58), 15.0, CORAL)
-    _neon(picture, "COMET", pygame.Rect(92, 104, 176, 30), 13.0, TEAL)
-    back.blit(picture, PAINTING)
+    head = art_sprites.ball(31.0 * times)
+    light = glow(92 * times, GOLD, 0.8)
+    picture.blit(light, ((266 - 92) * times, (176 - 92) * times), special_flags=pygame.BLEND_RGB_ADD)
+    picture.blit(head, (266 * times - head.get_width() // 2, 176 * times - head.get_height() // 2))
+    _neon(picture, "CAROM", pygame.Rect(34, 26, 292, 58), 15.0, CORAL, times)
+    _neon(picture, "COMET", pygame.Rect(92, 104, 176, 30), 13.0, TEAL, times)
+    pen = Pen(back, Letters(), times)
+    back.blit(picture, pen.area(PAINTING))
     for rect in (PAINTING, DISPLAY.inflate(12, 12), SIGNS, SCORES):
-        _frame(back, rect)
+        _frame(pen, rect)
     return back
 
 
-def _pattern(back: pygame.Surface) -> None:
+def _pattern(back: pygame.Surface, times: int) -> None:
     """Cover the lacquer with scales of fans."""
     for row in range(30):
         for column in range(-1, 9):
-            center = (column * 48 + (24 if row % 2 else 0), row * 30)
+            center = ((column * 48 + (24 if row % 2 else 0)) * times, row * 30 * times)
             for radius in (24, 17, 10):
-                pygame.draw.circle(back, mixed(LACQUER, INDIGO, 0.5), center, radius, 1, True, True)
+                pygame.draw.circle(back, mixed(LACQUER, INDIGO, 0.5), center, radius * times, times, True, True)
 
 
-def _frame(back: pygame.Surface, rect: pygame.Rect) -> None:
+def _frame(pen: Pen, rect: pygame.Rect) -> None:
     """Paint a frame of brass, dark inside where it is not the painting."""
     if rect is not PAINTING:
-        pygame.draw.rect(back, (10, 7, 22), rect, border_radius=5)
+        pen.rect((10, 7, 22), rect, radius=5)
     for grown, colour, width in ((6, mixed(GOLD, NIGHT, 0.6), 5), (4, GOLD, 3), (2, CREAM, 1)):
-        pygame.draw.rect(back, colour, rect.inflate(grown, grown), width, border_radius=6)
+        pen.rect(colour, rect.inflate(grown, grown), width, radius=6)
 
 
 def _heaven(canvas: Canvas) -> None:
@@ -198,11 +202,12 @@ def _observatory(canvas: Canvas, foot: Spot) -> None:
         canvas.fill(bow((x + number * 0.66, y + 0.05), 0.2, 0.0, 2.0 * pi, 0.3), GOLD)
 
 
-def _neon(picture: pygame.Surface, word: str, rect: pygame.Rect, gap: float, colour: Colour) -> None:
-    """Write a word in tubes of neon, which light up what is round them."""
+def _neon(picture: pygame.Surface, word: str, rect: pygame.Rect, gap: float, colour: Colour, times: int) -> None:
+    """Write a word in tubes of neon, which light up what is round them, into a part of the painting."""
     wide = (rect.width - gap * (len(word) - 1)) / len(word)
-    width, height = picture.get_size()
-    canvas = Canvas(carom.Aabb(0.0, 0.0, width, height), 1.0)
+    size = picture.get_size()
+    width, height = PAINTING.size
+    canvas = Canvas(carom.Aabb(0.0, 0.0, width, height), times)
     paths = [
         [(rect.left + (wide + gap) * place + x * wide, height - rect.bottom + y * rect.height) for x, y in stroke]
         for place, letter in enumerate(word)
@@ -214,13 +219,13 @@ def _neon(picture: pygame.Surface, word: str, rect: pygame.Rect, gap: float, col
     for path in paths:
         canvas.stroke(path, tube, colour)
     letters = canvas.finished()
-    lit = pygame.Surface((width, height), 0, 32)
+    lit = pygame.Surface(size, 0, 32)
     lit.blit(letters, (0, 0))
     for blur in (16, 8):
         small = pygame.transform.smoothscale(lit, (width // blur, height // blur))
-        picture.blit(pygame.transform.smoothscale(small, (width, height)), (0, 0), special_flags=pygame.BLEND_RGB_ADD)
+        picture.blit(pygame.transform.smoothscale(small, size), (0, 0), special_flags=pygame.BLEND_RGB_ADD)
     picture.blit(letters, (0, 0))
-    bright = Canvas(carom.Aabb(0.0, 0.0, width, height), 1.0)
+    bright = Canvas(carom.Aabb(0.0, 0.0, width, height), times)
     for path in paths:
         bright.stroke(path, tube * 0.42, mixed(colour, (255, 255, 255), 0.75))
     picture.blit(bright.finished(), (0, 0))

@@ -104,6 +104,8 @@ def lenses(world: carom.World) -> dict[str, Lens]:
     for name in lamps.ORBITS:
         x, y = places[name]
         found[name] = _arrow((x, y - 1.5), 0.6, pi / 2.0, TEAL)
+    x, y = places[lamps.SAUCER]
+    found[lamps.SAUCER] = _arrow((x, y - 1.9), 0.62, pi / 2.0, GOLD)
     for name in lamps.TARGETS:
         x, y = places[name]
         side = 1.0 if x < MIDDLE else -1.0

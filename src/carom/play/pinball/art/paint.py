@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
-from math import ceil, cos, hypot, pi, sin
+from math import ceil, cos, floor, hypot, pi, sin
 
 import numpy as np
 import pygame
@@ -76,26 +76,30 @@ class Canvas:
         box: What of the table is on it.
         scale: Pixels per unit of the finished picture.
         ground: A picture to begin with, of the finished size; transparent without one.
+        finer: How many times larger it is painted than it is shown.
     """
 
-    def __init__(self, box: Aabb, scale: float, ground: pygame.Surface | None = None) -> None:
+    def __init__(self, box: Aabb, scale: float, ground: pygame.Surface | None = None, *, finer: int = FINER) -> None:
         self.box = box
         self.scale = scale
         self.size = (round((box.right - box.left) * scale), round((box.top - box.bottom) * scale))
-        self.fine = scale * FINER
-        large = (self.size[0] * FINER, self.size[1] * FINER)
+        self._finer = finer
+        self.fine = scale * finer
+        large = (self.size[0] * finer, self.size[1] * finer)
         self.picture = pygame.Surface(large, pygame.SRCALPHA)
+        self._corner = (0, 0)
         if ground is not None:
             self.picture.blit(pygame.transform.smoothscale(ground, large), (0, 0))
 
     def at(self, spot: Spot) -> Spot:
         """A point's pixel on the large picture."""
-        return (spot[0] - self.box.left) * self.fine, (self.box.top - spot[1]) * self.fine
+        left, top = self._corner
+        return (spot[0] - self.box.left) * self.fine - left, (self.box.top - spot[1]) * self.fine - top
 
     def pixel(self, spot: Spot) -> tuple[int, int]:
         """A point's pixel on the finished picture."""
         x, y = self.at(spot)
-        return round(x / FINER), round(y / FINER)
+        return round(x / self._finer), round(y / self._finer)
 
     def fill(self, spots: Iterable[Spot], colour: Sequence[int]) -> None:
         """Fill a polygon; a colour of four numbers is laid over what is there."""
@@ -141,18 +145,25 @@ class Canvas:
 
     def _laid(self, spots: Sequence[Spot], width: float, colour: Sequence[int], closed: bool) -> None:
         """Draw a path of a colour that is seen through, evenly where the path meets itself."""
-        with self.layer(colour[3]):
+        places, half = [self.at(spot) for spot in spots], ceil(width * self.fine / 2.0) + 2
+        left, top = (floor(min(place[axis] for place in places)) - half for axis in (0, 1))
+        right, bottom = (ceil(max(place[axis] for place in places)) + half for axis in (0, 1))
+        with self.layer(colour[3], area=pygame.Rect(left, top, right - left, bottom - top)):
             self.stroke(spots, width, tuple(colour[:3]), closed)
 
     @contextmanager
-    def layer(self, alpha: int, aside: Spot = (0.0, 0.0)) -> Iterator[None]:
-        """What is painted within is laid over the canvas as one sheet, seen through by `alpha` and moved `aside`."""
-        whole, self.picture = self.picture, pygame.Surface(self.picture.get_size(), pygame.SRCALPHA)
-        sheet = self.picture
+    def layer(self, alpha: int, aside: Spot = (0.0, 0.0), *, area: pygame.Rect | None = None) -> Iterator[None]:
+        """What is painted within is laid over the canvas as one sheet, seen through by `alpha` and moved `aside`.
+
+        The sheet is as large as the canvas, or the part `area` of its large picture.
+        """
+        part = self.picture.get_rect() if area is None else area
+        whole, self.picture = self.picture, pygame.Surface(part.size, pygame.SRCALPHA)
+        sheet, self._corner = self.picture, part.topleft
         yield
-        self.picture = whole
+        self.picture, self._corner = whole, (0, 0)
         sheet.set_alpha(alpha)
-        self.picture.blit(sheet, (aside[0] * self.fine, -aside[1] * self.fine))
+        self.picture.blit(sheet, (part.left + aside[0] * self.fine, part.top - aside[1] * self.fine))
 
     def light(self, center: Spot, radius: float, colour: Colour, strength: float = 1.0, power: float = 2.0) -> None:
         """Add light that fades from `center` to nothing at `radius`."""

@@ -26,6 +26,8 @@ from carom.play.pinball.art.paint import (
     ring,
     star,
 )
+from carom.play.pinball.rules.lamps import SAUCER
+from carom.play.pinball.rules.table import BALL_RADIUS
 
 AnyShape = carom.Shape | carom.Compound | carom.Group
 
@@ -99,6 +101,9 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
         for path in [*outlines(shapes, ("lane guide",)), *_slingshots(shapes)]:
             canvas.fill(path, (0, 0, 0))
     _lane(canvas)
+    for shape in shapes:
+        if isinstance(shape, carom.Circle) and shape.name == SAUCER:
+            saucer(canvas, shape.center, BALL_RADIUS)
     for path in _capsules(shapes):
         _lane_guide(canvas, path)
     for shape in shapes:
@@ -114,6 +119,17 @@ def paint_parts(canvas: Canvas, world: carom.World) -> None:
     for shape in shapes:
         if isinstance(shape, carom.Circle) and (shape.name or "").endswith("post"):
             post(canvas, shape.center, shape.radius)
+
+
+def saucer(canvas: Canvas, center: Spot, radius: float) -> None:
+    """Paint the saucer: a cup of steel as wide as a ball in a ring of brass, dark inside."""
+    canvas.disc(center, radius + 0.3, (*NIGHT, 190))
+    canvas.stroke(ring(center, radius + 0.2), 0.1, GOLD, closed=True)
+    for share, colour in ((1.1, DARK_STEEL), (0.96, STEEL), (0.86, DARK_STEEL), (0.74, NIGHT), (0.5, (4, 4, 12))):
+        canvas.disc(center, radius * share, colour)
+    for number in range(8):
+        spot = polar(center, radius + 0.2, (number + 0.5) * pi / 4.0)
+        canvas.disc(spot, 0.09, CREAM if number % 2 else CORAL)
 
 
 def rail(canvas: Canvas, path: list[Spot]) -> None:

@@ -8,13 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 import carom
-from carom.play.pinball.rules.lamps import BANK
+from carom.play.pinball.rules.lamps import BANK, SAUCER
 from carom.play.pinball.rules.table import BALL_RADIUS, STEP, Table
 
 #: What it is worth to a player to strike or cross a part.
 WORTHS = {
     **dict.fromkeys(("left orbit", "right orbit"), 2500.0),
     **dict.fromkeys(BANK, 2000.0),
+    SAUCER: 1500.0,
     **dict.fromkeys(("left lane", "middle lane", "right lane"), 900.0),
     **dict.fromkeys(("left bumper", "right bumper", "low bumper"), 250.0),
     **dict.fromkeys(("left target", "right target"), 300.0),
@@ -87,6 +88,7 @@ class Foresight:
         self.ball.velocity = (vx, vy)
         table.left.put(real.left.angle, real.left.pressed)
         table.right.put(real.right.angle, real.right.pressed)
+        table.saucer_open = real.saucer_open
         if table.down != real.down:
             table.raise_targets()
             for name in sorted(real.down):

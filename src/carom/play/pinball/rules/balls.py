@@ -7,7 +7,7 @@ from random import Random
 
 import carom
 from carom.play.pinball.rules.ledger import Ledger
-from carom.play.pinball.rules.table import BALL_RADIUS, SERVE_PLACE, Table
+from carom.play.pinball.rules.table import BALL_RADIUS, SAUCER_PLACE, SERVE_PLACE, Table
 
 #: Steps between two looks at which balls rest, and how many steps one may rest.
 LOOK, PATIENCE = 48, 4 * 480
@@ -15,6 +15,9 @@ LOOK, PATIENCE = 48, 4 * 480
 FREEING, MOST_FREEING = 8.0, 40.0
 #: A ball that is nearer to the plunger than this is on it; one slower than that lies still.
 NEAR, STILL = 0.05, 0.5
+#: For how many steps the saucer holds a ball, which part of the way to its middle the ball sinks in each, and the
+#: velocity that the ball is let go with, towards the left flipper, with so much of chance aside.
+HOLD, SINK, KICKOUT, KICKOUT_CHANCE = 768, 0.08, (0.4, -9.0), 2.5
 
 
 class BallState:
@@ -37,6 +40,8 @@ class Balls:
         self.table = table
         self.ledger = Ledger()
         self.states: dict[int, BallState] = {}
+        self._caught: BallState | None = None
+        self._caught_left = 0
         self._random = random
 
     def __len__(self) -> int:
@@ -57,6 +62,8 @@ class Balls:
         if state is not None:
             self.table.world.remove(state.ball)
             self.ledger.take(state.held, stray)
+            if state is self._caught:
+                self._caught = None
         return state
 
     def clear(self) -> None:
@@ -64,6 +71,31 @@ class Balls:
         for ball in list(self.states):
             self.take(ball)
         self.ledger = Ledger()
+
+    # -- the saucer --------------------------------------------------------------------------------------------------
+
+    def catch(self, ball: int) -> bool:
+        """Whether the saucer, which is empty, takes the ball with an id, and holds it from now on."""
+        if self._caught is None:
+            self._caught, self._caught_left = self.states.get(ball), HOLD
+            return self._caught is not None
+        return False
+
+    def hold(self) -> BallState | None:
+        """The ball that the saucer lets go in this step, if it does; until then it draws the ball to its middle."""
+        state = self._caught
+        if state is None:
+            return None
+        (x, y), (to_x, to_y) = state.ball.position, SAUCER_PLACE
+        state.ball.position = (x + SINK * (to_x - x), y + SINK * (to_y - y))
+        state.ball.velocity = (0.0, 0.0)
+        self._caught_left -= 1
+        if self._caught_left:
+            return None
+        self._caught = None
+        along, up = KICKOUT
+        state.ball.velocity = (along + KICKOUT_CHANCE * self._random.uniform(-1.0, 1.0), up)
+        return state
 
     # -- where they are ----------------------------------------------------------------------------------------------
 

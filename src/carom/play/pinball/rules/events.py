@@ -20,6 +20,8 @@ class EventKind(StrEnum):
     INLANE = "inlane"
     OUTLANE = "outlane"
     SPINNER = "spinner"  # half a turn
+    SAUCER = "saucer"  # holds a ball
+    KICKOUT = "kickout"  # the saucer lets its ball go
     GATE = "gate"
     FLIPPER = "flipper"  # starts up
     FLIPPER_HIT = "flipper hit"
@@ -30,6 +32,7 @@ class EventKind(StrEnum):
     EXTRA = "extra"  # an extra ball is won
     MULTIBALL = "multiball"
     MODE = "mode"  # begins; its name is the part
+    MORE = "more"  # time for a mode; its part says how much
     SHOT = "shot"  # a lit shot of a mode
     FEAT = "feat"  # all shots of a mode were made
     NUDGE = "nudge"

@@ -16,7 +16,7 @@ from carom.play.pinball.rules.controls import NUDGES, Control, Phase
 from carom.play.pinball.rules.entry import Entry
 from carom.play.pinball.rules.events import Event, EventKind
 from carom.play.pinball.rules.journal import Journal, message_of
-from carom.play.pinball.rules.lamps import LampState
+from carom.play.pinball.rules.lamps import SAUCER, LampState
 from carom.play.pinball.rules.ledger import Ledger
 from carom.play.pinball.rules.rules import RATE, Rules
 from carom.play.pinball.rules.scores import HighScores
@@ -312,7 +312,10 @@ class Pinball:
     # -- play --------------------------------------------------------------------------------------------------------
 
     def _tick_play(self) -> None:
-        """Make a step in which balls roll."""
+        """Make a step in which balls roll, but for one that the saucer holds."""
+        let_go = self._balls.hold()
+        if let_go is not None:
+            self._tell(EventKind.KICKOUT, SAUCER, let_go.ball.position)
         hits = self.world.step(STEP)
         if self._kicking:
             self.table.plunger.kick = 0.0
@@ -384,7 +387,8 @@ class Pinball:
         state = self._balls.states.get(ball)
         if state is None or state.held or (part.kind is EventKind.ORBIT and state.ball.velocity[1] <= 0.0):
             return
-        self._rules.meet(part, part.place, 0.0)
+        if part.kind is not EventKind.SAUCER or (not self.tilted and self._balls.catch(ball)):
+            self._rules.meet(part, part.place, 0.0)
 
     def _enter(self, state: BallState) -> None:
         """Take note of a ball that comes through the launch gate onto the field."""

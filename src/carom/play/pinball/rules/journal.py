@@ -22,7 +22,7 @@ NOTICES = {
     EventKind.SAVE: "BALL SAVED",
     EventKind.WARNING: "WARNING",
 }
-JACKPOTS = (EventKind.ORBIT, EventKind.BANK)
+JACKPOTS = (EventKind.ORBIT, EventKind.BANK, EventKind.SAUCER)
 NOTICE_TIME = 2 * RATE
 
 

@@ -2,8 +2,8 @@
 
 Lamps are called as the shapes that they belong to: "left bumper", "right bumper", "low bumper"; "left lane", "middle
 lane", "right lane"; "left inlane", "right inlane", "left outlane", "right outlane"; "left orbit", "right orbit"; "left
-target", "right target"; "drop target 1", "drop target 2", "drop target 3". Others belong to none: "2x", "3x", "4x",
-"5x", "shoot again", "multiball", "jackpot", "tilt". Where the shapes are is in `Table.places`.
+target", "right target"; "drop target 1", "drop target 2", "drop target 3"; "saucer". Others belong to none: "2x", "3x",
+"4x", "5x", "shoot again", "multiball", "jackpot", "tilt". Where the shapes are is in `Table.places`.
 """
 
 from __future__ import annotations
@@ -18,11 +18,12 @@ OUTLANES = ("left outlane", "right outlane")
 ORBITS = ("left orbit", "right orbit")
 TARGETS = ("left target", "right target")
 BANK = ("drop target 1", "drop target 2", "drop target 3")
+SAUCER = "saucer"
 MULTIPLIERS = ("2x", "3x", "4x", "5x")
 SIGNS = ("shoot again", "multiball", "jackpot", "tilt")
 
 #: Every lamp that belongs to a shape.
-PLACED = (*BUMPERS, *LANES, *INLANES, *OUTLANES, *ORBITS, *TARGETS, *BANK)
+PLACED = (*BUMPERS, *LANES, *INLANES, *OUTLANES, *ORBITS, *TARGETS, *BANK, SAUCER)
 #: Every lamp.
 NAMES = (*PLACED, *MULTIPLIERS, *SIGNS)
 

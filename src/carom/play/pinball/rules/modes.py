@@ -1,6 +1,7 @@
 """The modes: for a while some shots are lit, each pays, and so many of them pay once more.
 
-Three lit bumpers start one, the next in turn. A mode ends with its time, its last shot, multiball or the ball.
+Three lit bumpers or the saucer start one, the next in turn; the saucer prolongs it too. A mode ends with its time, its
+last shot, multiball or the ball.
 """
 
 from __future__ import annotations
@@ -67,6 +68,10 @@ class Modes:
         self._begun += 1
         self.shots, self.steps_left = 0, mode.seconds * rate
         return mode
+
+    def prolong(self, steps: int) -> None:
+        """Have the mode last so many steps more."""
+        self.steps_left += steps
 
     def shoot(self, part: str) -> int:
         """The points for a part that was met: 0 where it is none that is lit."""

@@ -2,8 +2,9 @@
 
 Rollovers of the top lanes light them, and the flippers rotate the lit ones; all three raise the bonus multiplier, and
 the second time brings an extra ball, once a game. Drop targets make a bank; every second bank of a ball starts
-multiball, in which orbits and banks are jackpots. Inlanes light the orbits. Bumpers light, and all three lit raise what
-they give and start a mode.
+multiball, in which orbits, banks and the saucer are jackpots. Inlanes light the orbits. Bumpers light, and all three
+lit raise what they give and start a mode. So does the saucer, which in a mode gives more time for it; it closes with
+each ball that it has held, and an orbit opens it again.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from math import pi
 from random import Random
 
 from carom.play.pinball.rules.events import Event, EventKind
-from carom.play.pinball.rules.lamps import BANK, BUMPERS, INLANES, LANES, MULTIPLIERS, ORBITS, Lamps, LampState
+from carom.play.pinball.rules.lamps import BANK, BUMPERS, INLANES, LANES, MULTIPLIERS, ORBITS, SAUCER, Lamps, LampState
 from carom.play.pinball.rules.modes import Modes
 from carom.play.pinball.rules.table import Part, Table
 
@@ -32,13 +33,14 @@ SKILL = 10_000
 ORBIT, ORBIT_LIT = 2_500, 10_000
 INLANE, OUTLANE = 500, 2_000
 SPINNER = 100
+SAUCER_CATCH = 3_000
 MULTIBALL, JACKPOT, JACKPOT_MORE = 10_000, 25_000, 5_000
 MOST_MULTIPLIED, EXTRA_AT = 5, 3
 BONUS_MOST = 50_000
 
 #: Seconds: of the ball save at a ball's beginning and at that of multiball, of lit orbits, of a skill shot's chance,
-#: and from the bank's end until the targets rise again.
-SAVER, MULTIBALL_SAVER, LIT_ORBITS, SKILL_TIME, BANK_REST = 12, 10, 10, 8, 1
+#: from the bank's end until the targets rise again, and those that the saucer adds to a mode.
+SAVER, MULTIBALL_SAVER, LIT_ORBITS, SKILL_TIME, BANK_REST, MORE_TIME = 12, 10, 10, 8, 1, 10
 
 
 class Rules:
@@ -64,6 +66,7 @@ class Rules:
             EventKind.TARGET: self._target,
             EventKind.LANE: self._lane,
             EventKind.ORBIT: lambda _: self._orbit(),
+            EventKind.SAUCER: lambda _: self._saucer(),
             EventKind.INLANE: self._inlane,
             EventKind.OUTLANE: self._outlane,
         }
@@ -92,6 +95,7 @@ class Rules:
         self.table.raise_targets()
         self.lamps.put_out()
         self.lamps.put(ON, *self._shoot_again())
+        self._open_saucer(True)
         self._skill = LANES[self._random.randrange(3)]
         self.lamps.put(BLINK, self._skill)
 
@@ -216,7 +220,8 @@ class Rules:
             self.lamps.put(OFF, self._skill)
 
     def _orbit(self) -> int:
-        """What an orbit gives: more when it is lit, a jackpot in multiball."""
+        """What an orbit gives: more when it is lit, a jackpot in multiball; opens the saucer."""
+        self._open_saucer(True)
         if self.multiball:
             return self._next_jackpot()
         return ORBIT_LIT if self._orbits_left else ORBIT
@@ -226,6 +231,16 @@ class Rules:
         worth = self._jackpot
         self._jackpot += JACKPOT_MORE
         return worth
+
+    def _saucer(self) -> int:
+        """What the saucer gives, a jackpot in multiball; it closes."""
+        self._open_saucer(False)
+        return self._next_jackpot() if self.multiball else SAUCER_CATCH
+
+    def _open_saucer(self, is_open: bool) -> None:
+        """Open the saucer, or close it, and have its lamp say so."""
+        self.table.saucer_open = is_open
+        self.lamps.put(BLINK if is_open else OFF, SAUCER)
 
     def _inlane(self, part: Part) -> int:
         """What an inlane gives; lights the orbits for a while."""
@@ -243,12 +258,22 @@ class Rules:
     # -- feats -------------------------------------------------------------------------------------------------------
 
     def _finish(self, part: Part, place: tuple[float, float]) -> None:
-        """Reward a row of lanes or a bank that the part has made complete."""
+        """Reward a row of lanes or a bank that the part has made complete, or a ball in the saucer."""
         if part.kind is EventKind.LANE and self.lamps.all_on(LANES):
             self._all_lanes(place)
         elif part.name in BANK and len(self.table.down) == len(BANK) and not self._bank_left:
             self._bank_left = BANK_REST * RATE
             self._bank(place)
+        elif part.kind is EventKind.SAUCER and not self.multiball:
+            self._catch(place)
+
+    def _catch(self, place: tuple[float, float]) -> None:
+        """Reward a ball in the saucer: by more time for the mode, or by the next one where none goes on."""
+        if self.modes.mode is None:
+            self._mode_due = True
+        else:
+            self.modes.prolong(MORE_TIME * RATE)
+            self._give(EventKind.MORE, f"{MORE_TIME} S MORE", place, 0.0, 0)
 
     def _all_lanes(self, place: tuple[float, float]) -> None:
         """Raise the multiplier, which brings an extra ball once; where it cannot rise it gives points."""
@@ -283,6 +308,7 @@ class Rules:
         self.multiball = True
         self.balls_due = 2
         self._jackpot = JACKPOT
+        self._open_saucer(True)
         self.saver_left = MULTIBALL_SAVER * RATE
         self.lamps.put(ON, "multiball")
         self.lamps.put(BLINK, "jackpot", "shoot again", *ORBITS)
@@ -305,7 +331,9 @@ class Rules:
             return self.modes.line(RATE)
         if self._banks % BANKS_FOR_MULTIBALL:
             return "BANK FOR MULTIBALL"
-        return "LIT ORBITS 10,000" if self._orbits_left else "BUMPERS FOR A MODE"
+        if self._orbits_left:
+            return "LIT ORBITS 10,000"
+        return "SAUCER FOR A MODE" if self.table.saucer_open else "BUMPERS FOR A MODE"
 
     def _start_mode(self, place: tuple[float, float]) -> None:
         """Begin the next mode, and light what it wants."""

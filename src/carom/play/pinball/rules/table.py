@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeVar
 
 import carom
 from carom.play.pinball.rules.events import EventKind
-from carom.play.pinball.rules.lamps import BANK, BUMPERS, INLANES, LANES, ORBITS, OUTLANES, TARGETS
+from carom.play.pinball.rules.lamps import BANK, BUMPERS, INLANES, LANES, ORBITS, OUTLANES, SAUCER, TARGETS
 
 #: Seconds of a step, which is one substep: what is pressed acts on the very next one.
 STEP = 1.0 / 480.0
@@ -20,6 +20,9 @@ IDLE_SPIN, MOST_SPIN = 2.5, 11.0
 BALL_RADIUS = 0.6
 #: A ball is put here, and rolls into the corner of the plunger.
 SERVE_PLACE = (19.3, 1.3)
+#: The saucer, which holds a ball: before the left post, on the side of the right flipper. What rolls past the post
+#: rolls past it too; what would strike the post from below rolls into it.
+SAUCER_PLACE, SAUCER_RADIUS = (6.1, 20.57), 0.2
 
 _KINDS = {
     **dict.fromkeys(BUMPERS, EventKind.BUMPER),
@@ -32,6 +35,7 @@ _KINDS = {
     **dict.fromkeys(("left flipper", "right flipper"), EventKind.FLIPPER_HIT),
     **dict.fromkeys(("launch gate", "orbit gate"), EventKind.GATE),
     "spinner": EventKind.SPINNER,
+    SAUCER: EventKind.SAUCER,
     "drain": EventKind.DRAIN,
 }
 
@@ -85,13 +89,14 @@ class Flipper:
 
 
 class Table:
-    """The world of the shipped scene without its balls, and the parts that a game moves, switches and hears of."""
+    """The world of the shipped scene without its balls, with a saucer, and the parts that a game moves and hears of."""
 
     def __init__(self) -> None:
         self.world = carom.scenes.pinball().build()
         self.world.substeps = 1
         self.world.broad_phase = "brute"  # the quickest for so few shapes of which some always move
         self.world.remove(*self.world.balls)
+        self._saucer = self.world.add(carom.Circle(SAUCER_PLACE, SAUCER_RADIUS, sensor=True, name=SAUCER))
         #: Every part by the id of its shape, as hits name it.
         self.parts: dict[int, Part] = {}
         #: Where parts are, by their names; those of parts with lamps are the lamps' names too.
@@ -141,10 +146,11 @@ class Table:
     # -- what moves --------------------------------------------------------------------------------------------------
 
     def reset(self) -> None:
-        """Let the flippers fall, raise the drop targets and slow the spinner."""
+        """Let the flippers fall, raise the drop targets, open the saucer and slow the spinner."""
         self.left.press(False)
         self.right.press(False)
         self.raise_targets()
+        self.saucer_open = True
         self.spinner.angular_velocity = IDLE_SPIN
 
     def lower(self, name: str) -> None:
@@ -159,6 +165,16 @@ class Table:
             for shape in self.targets[name]:
                 shape.can_collide = True
         self.down.clear()
+
+    @property
+    def saucer_open(self) -> bool:
+        """Whether the saucer holds what rolls into it; closed, it lets balls roll over it."""
+        return self._saucer.can_collide
+
+    @saucer_open.setter
+    def saucer_open(self, is_open: bool) -> None:
+        if self._saucer.can_collide != is_open:
+            self._saucer.can_collide = is_open
 
     def clear_of_targets(self, x: float, y: float) -> bool:
         """Whether a ball at (x, y) would overlap no drop target that is raised now."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
+from math import ceil
 
 import pygame
 
 from carom.play.controls import Button, Controls
 from carom.play.letters import Letters
 from carom.play.meter import FrameMeter
+from carom.play.pen import Pen
 from carom.play.pinball.art import back as art_back
 from carom.play.pinball.art import pictures as art
 from carom.play.pinball.art.paint import CREAM, GOLD, NIGHT
@@ -17,10 +19,10 @@ from carom.play.pinball.rules.controls import Control, Phase
 from carom.play.pinball.rules.game import Pinball
 from carom.play.pinball.rules.scores import LETTERS, HighScores
 from carom.play.pinball.screen import sounds
-from carom.play.pinball.screen.display import Display
+from carom.play.pinball.screen.effects import Effects
 from carom.play.pinball.screen.help import draw_help
-from carom.play.pinball.screen.lines import Lines, Mode
-from carom.play.pinball.screen.view import TableView
+from carom.play.pinball.screen.lines import Mode
+from carom.play.pinball.screen.sheet import Sheet
 from carom.play.sound import Speaker
 from carom.play.window import RATE, Ticker, play
 
@@ -70,8 +72,6 @@ BUTTONS: dict[Button, Action] = {
     Button.RIGHT: Control.NUDGE_RIGHT,
     Button.UP: Control.NUDGE_UP,
 }
-#: The colour round a table that is nudged.
-BEHIND = (14, 9, 28)
 
 
 class PinballApp:
@@ -97,10 +97,14 @@ class PinballApp:
         self._controls: Controls[Action] = Controls(KEYS, BUTTONS, tell)
         self._ticker = Ticker(Pinball.STEP)
         self._letters = Letters()
-        self._table = pygame.Surface(art.SIZE, 0, 32)
-        self.view = TableView(self.game, self._letters)
-        self._display = Display(self._letters)
-        self._lines = Lines(self.game)
+        self.effects = Effects()
+        self._sheets: dict[int, Sheet] = {}
+        self._times = 1
+
+    def magnify(self, times: int) -> None:
+        """Draw the picture `times` as large from now on."""
+        self._times = times
+        self.size = (PinballApp.size[0] * times, PinballApp.size[1] * times)
 
     # -- what comes in -----------------------------------------------------------------------------------------------
 
@@ -169,47 +173,40 @@ class PinballApp:
         for _ in range(self._ticker.due(seconds)):
             self.game.tick()
         events = self.game.take_events()
-        self.view.effects.advance(seconds)
-        self.view.effects.note(events)
+        self.effects.advance(seconds)
+        self.effects.note(events)
         sounds.play(self.speaker, events, self.game.phase is Phase.ATTRACT)
 
     # -- the picture -------------------------------------------------------------------------------------------------
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the table, its back, and what lies over them."""
-        if self.mode is Mode.LINES:
-            self._lines.draw(self._table)
-        else:
-            self.view.draw(self._table)
-        if self.mode is Mode.BOTH:
-            self._lines.draw_over(self._table)
-        effects = self.view.effects
-        self._display.draw(surface, art.SIZE[0], self.game, effects)
-        shift = effects.shift
-        if shift != (0, 0):
-            surface.fill(BEHIND, (0, 0, *art.SIZE))
-        surface.blit(self._table, shift, (0, 0, art.SIZE[0] - max(0, shift[0]), art.SIZE[1]))
+        if self._times not in self._sheets:
+            self._sheets[self._times] = Sheet(self.game, self._letters, self._times, self.effects)
+        self._sheets[self._times].draw(surface, self.mode)
+        pen = Pen(surface, self._letters, self._times)
         if self.rating:
-            self._draw_rate(surface)
+            self._draw_rate(pen)
         if self.helping:
-            draw_help(surface, self._letters)
+            draw_help(surface, self._letters, self._times)
         elif self.paused:
-            self._plate(surface, "PAUSE", (art.SIZE[0] // 2, 392), 34)
-            self._plate(surface, "P goes on, Esc ends", (art.SIZE[0] // 2, 448), 15)
+            plate(pen, "PAUSE", (art.SIZE[0] // 2, 392), 34)
+            plate(pen, "P goes on, Esc ends", (art.SIZE[0] // 2, 448), 15)
 
-    def _draw_rate(self, surface: pygame.Surface) -> None:
+    def _draw_rate(self, pen: Pen) -> None:
         """Draw frames a second and the work of each."""
         meter = self.meter
         words = f"{meter.rate:.0f} frames/s   {1e3 * meter.work:.1f} ms   {100 * meter.share:.0f} %   {self.mode.value}"
-        self._plate(surface, words, (art.SIZE[0] // 2, 6), 13)
+        plate(pen, words, (art.SIZE[0] // 2, 6), 13)
 
-    def _plate(self, surface: pygame.Surface, words: str, place: tuple[int, int], size: int) -> None:
-        """Write words on a dark plate, their upper edge's middle at a place."""
-        width = self._letters.width(words, size)
-        plate = pygame.Rect(place[0] - width // 2 - 12, place[1], width + 24, size + 14)
-        pygame.draw.rect(surface, NIGHT, plate, border_radius=6)
-        pygame.draw.rect(surface, GOLD, plate, 2, border_radius=6)
-        self._letters.draw(surface, words, (place[0], place[1] + 6), size, CREAM, anchor="middle")
+
+def plate(pen: Pen, words: str, place: tuple[int, int], size: int) -> None:
+    """Write words on a dark plate, their upper edge's middle at a place."""
+    width = ceil(pen.width(words, size))
+    around = pygame.Rect(place[0] - width // 2 - 12, place[1], width + 24, size + 14)
+    pen.rect(NIGHT, around, radius=6)
+    pen.rect(GOLD, around, 2, radius=6)
+    pen.words(words, (place[0], place[1] + 6), size, CREAM, anchor="middle")
 
 
 def run(*, tell: Callable[[str], None], seconds: float | None = None) -> FrameMeter:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pygame
 
 from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.pinball.art import back as art_back
 from carom.play.pinball.art.paint import CORAL, CREAM, GOLD, NIGHT, TEAL, Colour, mixed
 from carom.play.pinball.rules.controls import Phase
@@ -117,22 +118,24 @@ def _demonstration(game: Pinball, seconds: float, lit: bool) -> Page:
 class Display:
     """Draws the back of the table beside it."""
 
-    def __init__(self, letters: Letters) -> None:
+    def __init__(self, letters: Letters, times: int = 1) -> None:
         self._letters = letters
-        self._backs = art_back.paint_backs()
-        self._dots = Dots((26, 12, 10), (255, 146, 40))
+        self._times = times
+        self._backs = art_back.paint_backs(times)
+        self._dots = Dots((26, 12, 10), (255, 146, 40), times)
 
     def draw(self, surface: pygame.Surface, left: int, game: Pinball, effects: Effects) -> None:
-        """Draw the back from the column `left` of a surface on."""
+        """Draw the back from the column `left` of a surface on, counted as if it were not magnified."""
+        pen = Pen(surface, self._letters, self._times)
         seconds, news = effects.time, effects.news
         chase = CHASE if effects.show is None else CHASE_OF_SHOW
-        surface.blit(self._backs[int(seconds * chase) % len(self._backs)], (left, 0))
-        surface.blit(self._dots.picture(page_of(game, seconds, news)), art_back.DISPLAY.move(left, 0))
-        self._signs(surface, left, game, seconds)
-        self._scores(surface, left, game)
-        self._letters.draw(surface, KEYS, (left + 192, 804), 11, mixed(CREAM, NIGHT, 0.25), anchor="middle")
+        surface.blit(self._backs[int(seconds * chase) % len(self._backs)], pen.at((left, 0)))
+        surface.blit(self._dots.picture(page_of(game, seconds, news)), pen.area(art_back.DISPLAY.move(left, 0)))
+        self._signs(pen, left, game, seconds)
+        self._scores(pen, left, game)
+        pen.words(KEYS, (left + 192, 804), 11, mixed(CREAM, NIGHT, 0.25), anchor="middle")
 
-    def _signs(self, surface: pygame.Surface, left: int, game: Pinball, seconds: float) -> None:
+    def _signs(self, pen: Pen, left: int, game: Pinball, seconds: float) -> None:
         """Draw the signs: which ball, the ball save, multiball, tilt."""
         lit = int(seconds / BLINK_TIME) % 2 == 0
         playing = game.phase in (Phase.PLAY, Phase.BONUS)
@@ -140,7 +143,7 @@ class Display:
         x = left + art_back.SIGNS.left + 8
         for number in range(1, BALLS + 1):
             on = playing and number == game.ball_number
-            self._sign(surface, str(number), pygame.Rect(x, top, 28, 28), GOLD if on else None, GOLD)
+            self._sign(pen, str(number), pygame.Rect(x, top, 28, 28), GOLD if on else None, GOLD)
             x += 34
         signs: tuple[tuple[str, int, Colour, bool], ...] = (
             ("BALL SAVE", 84, TEAL, playing and game.saver > 0.0 and (lit or game.saver > 4.0)),
@@ -148,27 +151,27 @@ class Display:
             ("TILT", 54, CORAL, game.tilted),
         )
         for words, wide, colour, on in signs:
-            self._sign(surface, words, pygame.Rect(x, top, wide, 28), colour if on else None, colour)
+            self._sign(pen, words, pygame.Rect(x, top, wide, 28), colour if on else None, colour)
             x += wide + 7
 
-    def _sign(self, surface: pygame.Surface, words: str, rect: pygame.Rect, light: Colour | None, hue: Colour) -> None:
+    def _sign(self, pen: Pen, words: str, rect: pygame.Rect, light: Colour | None, hue: Colour) -> None:
         """Draw a sign, lit in a colour or dark."""
         if light is None:
-            pygame.draw.rect(surface, mixed(hue, NIGHT, 0.72), rect, 1, border_radius=5)
+            pen.rect(mixed(hue, NIGHT, 0.72), rect, 1, radius=5)
         else:
-            pygame.draw.rect(surface, light, rect, border_radius=5)
+            pen.rect(light, rect, radius=5)
         ink = NIGHT if light is not None else mixed(hue, NIGHT, 0.45)
-        self._letters.draw(surface, words, (rect.centerx, rect.centery - 7), 13, ink, anchor="middle")
+        pen.words(words, (rect.centerx, rect.centery - 7), 13, ink, anchor="middle")
 
-    def _scores(self, surface: pygame.Surface, left: int, game: Pinball) -> None:
+    def _scores(self, pen: Pen, left: int, game: Pinball) -> None:
         """Draw the ten high scores in two columns."""
         area = art_back.SCORES
-        write = self._letters.draw
-        write(surface, "HIGH SCORES", (left + area.centerx, area.top + 10), 17, GOLD, anchor="middle")
+        write = pen.words
+        write("HIGH SCORES", (left + area.centerx, area.top + 10), 17, GOLD, anchor="middle")
         for place, entry in enumerate(game.high_scores.scores):
             column, row = divmod(place, 5)
             x, y = left + area.left + 14 + column * 176, area.top + 42 + row * 29
             ink = (CORAL, GOLD, TEAL)[place] if place < 3 else CREAM
-            write(surface, f"{place + 1}", (x + 16, y + 1), 14, mixed(ink, NIGHT, 0.35), anchor="end")
-            write(surface, entry.initials, (x + 26, y), 16, ink)
-            write(surface, f"{entry.score:,}", (x + 158, y), 16, ink, anchor="end")
+            write(f"{place + 1}", (x + 16, y + 1), 14, mixed(ink, NIGHT, 0.35), anchor="end")
+            write(entry.initials, (x + 26, y), 16, ink)
+            write(f"{entry.score:,}", (x + 158, y), 16, ink, anchor="end")

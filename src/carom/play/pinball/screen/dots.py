@@ -138,15 +138,16 @@ def largest(words: str, most: int = 3) -> int:
 
 
 class Dots:
-    """The display's picture, made of pages."""
+    """The display's picture, made of pages; a dot is `times` as many pixels wide and high as `DOT` says."""
 
-    def __init__(self, unlit: tuple[int, int, int], lit: tuple[int, int, int]) -> None:
-        self.size = (COLUMNS * DOT, ROWS * DOT)
+    def __init__(self, unlit: tuple[int, int, int], lit: tuple[int, int, int], times: int = 1) -> None:
+        dot = DOT * times
+        self.size = (COLUMNS * dot, ROWS * dot)
         self._unlit, self._lit = np.array(unlit, dtype=float), np.array(lit, dtype=float)
         self._small = pygame.Surface((COLUMNS, ROWS), 0, 32)
         mask = np.full((*self.size, 3), 255, np.uint8)
-        corners = np.zeros((DOT, DOT))
-        corners[-1, :] = corners[:, -1] = 1.0
+        corners = np.zeros((dot, dot))
+        corners[-times:, :] = corners[:, -times:] = 1.0
         mask[np.tile(corners, (COLUMNS, ROWS)) > 0] = 40
         self._mask = pygame.Surface(self.size, 0, 32)
         pygame.surfarray.blit_array(self._mask, mask)

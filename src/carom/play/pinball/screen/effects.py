@@ -31,12 +31,16 @@ ANNOUNCED = {
     EventKind.BANK: "TARGETS",
     EventKind.LANES: "S-K-Y",
     EventKind.ORBIT: "ORBIT",
+    EventKind.SAUCER: "SAUCER",
     EventKind.EXTRA: "EXTRA BALL",
     EventKind.KNOCK: "HIGH SCORE",
 }
 SKILL = 5_000
 JACKPOT = 20_000
 STRIKES = {EventKind.BUMPER, EventKind.SLINGSHOT, EventKind.TARGET, EventKind.FLIPPER_HIT, EventKind.BOUNCE}
+
+#: What makes its part flash.
+KICKS = {EventKind.BUMPER, EventKind.SLINGSHOT, EventKind.SAUCER, EventKind.KICKOUT}
 
 
 class News(NamedTuple):
@@ -80,7 +84,7 @@ class Effects:
     def note(self, events: Iterable[Event]) -> None:
         """Take what happened."""
         for event in events:
-            if event.kind in (EventKind.BUMPER, EventKind.SLINGSHOT):
+            if event.kind in KICKS:
                 self._kicks[event.part] = self.time
             if event.kind in STRIKES and event.speed >= SPARKS_FROM:
                 self.sparks = [*self.sparks, Spark(event.place, self.time)][-MOST:]
@@ -129,8 +133,8 @@ def announced(event: Event) -> str:
     """The words by which an event is announced; none for what happens often."""
     if event.kind is EventKind.LANE and event.part in LANES and event.score >= SKILL:
         return "SKILL SHOT"
-    if event.part == "jackpot" or (event.kind is EventKind.ORBIT and event.score >= JACKPOT):
+    if event.part == "jackpot" or (event.kind in (EventKind.ORBIT, EventKind.SAUCER) and event.score >= JACKPOT):
         return "JACKPOT"
-    if event.kind in (EventKind.MODE, EventKind.FEAT):
+    if event.kind in (EventKind.MODE, EventKind.MORE, EventKind.FEAT):
         return event.part
     return ANNOUNCED.get(event.kind, "")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pygame
 
 from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.pinball.art.paint import CORAL, CREAM, GOLD, NIGHT, TEAL, mixed
 
 KEYS = (
@@ -32,28 +33,31 @@ RULES = (
     "In multiball orbits and banks are jackpots. Inlanes light the orbits.",
     "Bumpers light when struck; all three lit raise what they pay and start a mode: the display",
     "says what to shoot, for how much, and for how many seconds yet. All its shots bring 20,000.",
+    "While its arrow blinks the saucer before the left post holds a ball: it starts a mode too, or gives",
+    "one that goes on 10 seconds more; in multiball it is a jackpot. An orbit opens it again.",
     "The bonus is paid as the ball drains. Nudge too hard and the table tilts: the bonus is lost.",
 )
-MARGIN, LINE = 36, 25
+MARGIN, LINE = 36, 24
 
 
-def draw_help(surface: pygame.Surface, letters: Letters) -> None:
-    """Draw the help over the darkened game."""
-    width, height = surface.get_size()
-    veil = pygame.Surface((width, height), pygame.SRCALPHA)
+def draw_help(surface: pygame.Surface, letters: Letters, times: int = 1) -> None:
+    """Draw the help over the darkened game, which is drawn `times` as large."""
+    pen = Pen(surface, letters, times)
+    width, height = (side // times for side in surface.get_size())
+    veil = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
     veil.fill((*mixed(NIGHT, (0, 0, 0), 0.4), 228))
     surface.blit(veil, (0, 0))
     frame = pygame.Rect(MARGIN // 2, 56, width - MARGIN, height - 112)
     for grown, colour, wide in ((0, mixed(GOLD, NIGHT, 0.5), 5), (-2, GOLD, 2)):
-        pygame.draw.rect(surface, colour, frame.inflate(grown, grown), wide, border_radius=10)
+        pen.rect(colour, frame.inflate(grown, grown), wide, radius=10)
     y = 84
-    letters.draw(surface, "CAROM COMET", (width / 2, y), 30, CORAL, anchor="middle")
+    pen.words("CAROM COMET", (width / 2, y), 30, CORAL, anchor="middle")
     y += 58
     for keys, meaning in KEYS:
-        letters.draw(surface, keys, (MARGIN + 196, y), 16, GOLD, anchor="end")
-        letters.draw(surface, meaning, (MARGIN + 216, y), 16, CREAM)
+        pen.words(keys, (MARGIN + 196, y), 16, GOLD, anchor="end")
+        pen.words(meaning, (MARGIN + 216, y), 16, CREAM)
         y += LINE
     y += 24
     for rule in RULES:
-        letters.draw(surface, rule, (width / 2, y), 15, TEAL if rule.startswith("Three") else CREAM, anchor="middle")
+        pen.words(rule, (width / 2, y), 15, TEAL if rule.startswith("Three") else CREAM, anchor="middle")
         y += LINE

@@ -32,11 +32,12 @@ class Mode(Enum):
 
 
 class Lines:
-    """Draws the shapes of a game's world by the library's own painter."""
+    """Draws the shapes of a game's world by the library's own painter, `times` as large as pictures of `art.SIZE`."""
 
-    def __init__(self, game: Pinball) -> None:
+    def __init__(self, game: Pinball, times: int = 1) -> None:
         targets = [shape for shapes in game.table.targets.values() for shape in shapes]
-        self._live = draw.Live(game.world, art.BOX, art.SIZE, layers=LAYERS, changing=targets)
+        self._size = (art.SIZE[0] * times, art.SIZE[1] * times)
+        self._live = draw.Live(game.world, art.BOX, self._size, layers=LAYERS, changing=targets, zoom=times)
         self._still: pygame.Surface | None = None
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -46,7 +47,7 @@ class Lines:
     def draw_over(self, surface: pygame.Surface) -> None:
         """Draw lines over the art."""
         if self._still is None:
-            self._still = pygame.Surface(art.SIZE, 0, 32)
+            self._still = pygame.Surface(self._size, 0, 32)
             self._live.draw_still(self._still, ground=False)
         surface.fill(DIMMED, special_flags=pygame.BLEND_RGB_MULT)
         # The lighter of the two colours stays: lines are seen, and what they fill with paper is not.

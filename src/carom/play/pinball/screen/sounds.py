@@ -44,6 +44,8 @@ VOICES: dict[EventKind, Voice] = {
     EventKind.INLANE: Voice("inlane", 0.45),
     EventKind.OUTLANE: Voice("outlane", 0.6),
     EventKind.SPINNER: Voice("spinner", 0.35),
+    EventKind.SAUCER: Voice("saucer", 0.8),
+    EventKind.KICKOUT: Voice("slingshot", 0.7),
     EventKind.GATE: Voice("gate", 0.3),
     EventKind.FLIPPER: Voice("flipper", 0.5),
     EventKind.SERVE: Voice("serve", 0.5),
@@ -52,6 +54,7 @@ VOICES: dict[EventKind, Voice] = {
     EventKind.EXTRA: Voice("extra", 0.9),
     EventKind.MULTIBALL: Voice("multiball", 1.0),
     EventKind.MODE: Voice("lanes", 0.8),
+    EventKind.MORE: Voice("save", 0.7),
     EventKind.SHOT: Voice("orbit", 0.6),
     EventKind.FEAT: Voice("extra", 0.8),
     EventKind.NUDGE: Voice("nudge", 0.6),
@@ -137,6 +140,9 @@ def _crossed() -> dict[str, Wave]:
         "inlane": tune((14, 21), 0.07, BELL, last=0.2),
         "outlane": tune((2, -3, -8), 0.09, REED, last=0.15),
         "spinner": mixed(tone(1400.0, 0.05, fall=60.0), 0.6 * noise(0.02, fall=150.0)),
+        "saucer": mixed(
+            tone(95.0, 0.16, fall=22.0, to=60.0), tone(note(-5), 0.9, fall=2.5, to=note(19), overtones=BELL)
+        ),
         "drain": mixed(
             tone(330.0, 0.9, fall=2.2, to=58.0, overtones=REED), 0.3 * noise(0.9, fall=4.0, dull=0.9, seed=9)
         ),

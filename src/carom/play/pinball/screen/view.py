@@ -8,6 +8,7 @@ from math import hypot, pi
 import pygame
 
 from carom.play.letters import Letters
+from carom.play.pen import Pen
 from carom.play.pinball.art import pictures as art
 from carom.play.pinball.art.paint import CREAM, GOLD, NIGHT
 from carom.play.pinball.art.sprites import FLIPPER_PICTURES, SPINNER_PICTURES
@@ -28,11 +29,12 @@ ADD = pygame.BLEND_RGB_ADD
 
 
 class TableView:
-    """Draws the table of a game."""
+    """Draws the table of a game, `times` as large as pictures of `art.SIZE`."""
 
-    def __init__(self, game: Pinball, letters: Letters) -> None:
-        self.art = art.Art(game.world)
-        self.effects = Effects()
+    def __init__(self, game: Pinball, letters: Letters, times: int = 1, effects: Effects | None = None) -> None:
+        self.art = art.Art(game.world, times)
+        self.effects = Effects() if effects is None else effects
+        self._times = times
         self._game = game
         self._letters = letters
         self._tails: dict[int, list[tuple[float, float]]] = {}
@@ -61,7 +63,7 @@ class TableView:
     def _draw_lamps(self, surface: pygame.Surface) -> None:
         """Draw the lamps in the playfield that are lit."""
         for name, light in self.art.lights.items():
-            if self._lit(name, light.lens_at[1] / art.SCALE):
+            if self._lit(name, light.lens_at[1] / self.art.scale):
                 surface.blit(light.shine, light.shine_at, special_flags=ADD)
                 surface.blit(light.lens, light.lens_at)
 
@@ -72,7 +74,7 @@ class TableView:
             surface.blit(down if name in self._game.table.down else up, corner)
         for name, (x, y) in pictures.bumper_places.items():
             kicks = self.effects.kicks(name)
-            lit = kicks or self._lit(name, y / art.SCALE)
+            lit = kicks or self._lit(name, y / pictures.scale)
             if lit:
                 centered(surface, pictures.shine[name], (x, y), ADD)
             if kicks:
@@ -81,7 +83,7 @@ class TableView:
         turn = self._game.table.spinner.orientation % pi
         picture = pictures.spinner[round(turn / pi * SPINNER_PICTURES) % SPINNER_PICTURES]
         centered(surface, picture, pictures.pivots["spinner"])
-        x, y = art.pixel((TIP[0], TIP[1] - DRAW * self._game.plunger_pull))
+        x, y = pictures.pixel((TIP[0], TIP[1] - DRAW * self._game.plunger_pull))
         surface.blit(pictures.plunger, (round(x) - pictures.plunger.get_width() // 2, round(y)))
 
     def _draw_balls(self, surface: pygame.Surface) -> None:
@@ -90,9 +92,9 @@ class TableView:
         tails: dict[int, list[tuple[float, float]]] = {}
         places = []
         for ball in self._game.world.balls:
-            x, y = art.pixel(ball.position)
+            x, y = pictures.pixel(ball.position)
             places.append((x, y))
-            centered(surface, pictures.shadow, (x + 3.0, y + 5.0))
+            centered(surface, pictures.shadow, (x + 3.0 * self._times, y + 5.0 * self._times))
             tail = [(x, y), *self._tails.get(ball.id or 0, ())][: TAIL + 1]
             tails[ball.id or 0] = tail
             if hypot(*ball.velocity) > TAIL_FROM:
@@ -120,13 +122,13 @@ class TableView:
             centered(surface, picture, self.art.pivots[name])
 
     def _draw_flashes(self, surface: pygame.Surface) -> None:
-        """Draw the flashes of slingshots and of hard impacts."""
-        for name, place in self.art.slingshots.items():
+        """Draw the flashes of slingshots, of the saucer and of hard impacts."""
+        for name, place in self.art.kickers.items():
             if self.effects.kicks(name):
                 centered(surface, self.art.kick, place, ADD)
         for spark in self.effects.sparks:
             if self.effects.time - spark.since < SPARK:
-                centered(surface, self.art.spark, art.pixel(spark.place), ADD)
+                centered(surface, self.art.spark, self.art.pixel(spark.place), ADD)
 
     def _draw_apron(self, surface: pygame.Surface) -> None:
         """Draw the balls that wait behind the window, and the apron over them."""
@@ -134,18 +136,19 @@ class TableView:
         left = BALLS if game.phase in (Phase.OVER, Phase.ENTRY) else BALLS - game.ball_number
         for number in range(left):
             place = (WAITING[0] + number * NEXT[0], WAITING[1] + number * NEXT[1])
-            centered(surface, self.art.ball, art.pixel(place))
+            centered(surface, self.art.ball, self.art.pixel(place))
         surface.blit(self.art.apron, self.art.apron_at)
 
     def _draw_points(self, surface: pygame.Surface) -> None:
         """Draw the points that float up from where they were made."""
+        pen = Pen(surface, self._letters, self._times)
         for spark in self.effects.points:
             since = (self.effects.time - spark.since) / POINTS
             x, y = art.pixel(spark.place)
             x, y = min(max(x, 44.0), art.SIZE[0] - 50.0), y - 16.0 - 34.0 * since
             colour = CREAM if int(since * 8.0) % 2 else GOLD
-            self._letters.draw(surface, spark.words, (x + 1.0, y + 2.0), 16, NIGHT, anchor="middle")
-            self._letters.draw(surface, spark.words, (x, y), 16, colour, anchor="middle")
+            pen.words(spark.words, (x + 1.0, y + 2.0), 16, NIGHT, anchor="middle")
+            pen.words(spark.words, (x, y), 16, colour, anchor="middle")
 
 
 def centered(surface: pygame.Surface, picture: pygame.Surface, place: tuple[float, float], flags: int = 0) -> None:
