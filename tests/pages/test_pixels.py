@@ -231,3 +231,18 @@ def test_pointing_at_a_ball_tells_its_name_and_speed(opened: Opened) -> None:
     assert replay.page.inner_text("#pointed").startswith("ball a · speed 3.")
     replay.page.mouse.move(box["x"] + 5, box["y"] + 5)
     assert not replay.page.is_visible("#pointed")
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_names_lie_over_no_other_and_those_without_room_are_counted(opened: Opened, width: int) -> None:
+    recording = furnished_run()
+    replay = opened(recording, width)
+    replay.show_only("names", "balls")
+    for frame in (0, 40, 110):
+        replay.seek(float(recording.times[frame]))
+        labels = replay("replay.stage.names.labels.map(({ x, y, width, height }) => [x, y, width, height])")
+        assert len(labels) + replay("replay.stage.names.leftOut") == 11
+        assert len(labels) >= 10
+        for place, (x, y, wide, high) in enumerate(labels):
+            for other_x, other_y, other_wide, other_high in labels[:place]:
+                assert 2 * abs(x - other_x) >= wide + other_wide or 2 * abs(y - other_y) >= high + other_high
