@@ -29,8 +29,11 @@ def test_the_notebook_runs_and_shows_a_world_a_run_and_a_scene(capsys: pytest.Ca
     mpl.use("Agg")
     names: dict[str, Any] = {}
     cells = [shown(cell, names) for cell in CELL.findall(NOTEBOOK.read_text(encoding="utf-8"))]
-    world, run, scene = [value for value in cells if value is not None]
+    world, shapes, contact, run, touches, scene = [value for value in cells if value is not None]
     assert world._repr_svg_().startswith("<svg")
+    assert "<td>bumper</td>" in shapes._repr_html_()
+    assert "setback" in contact._repr_svg_()
+    assert "<td>dome</td>" in touches._repr_html_()
     assert run._repr_html_().startswith("<iframe")
     assert scene._repr_svg_().startswith("<svg")
     assert "(721, 6, 2) frames, balls, coordinates" in capsys.readouterr().out
