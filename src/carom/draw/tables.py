@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from carom.errors import LostObject
+from carom.record.hits import RecordedHits
 from carom.record.members import label_of
+from carom.rows.hit import HIT
 from carom.shapes.shape import Shape
 from carom.world.hits import HitKind
 from carom.world.plural import OfHits, Plural
@@ -23,6 +25,9 @@ if TYPE_CHECKING:
     #: The words of a row, cell by cell.
     Row: TypeAlias = list[str]
 
+#: Rows that name shapes and balls by their ids.
+RowsOfMembers: TypeAlias = Plural[Any] | RecordedHits
+
 #: How many rows are shown at most: so many of the first, and so many of the last ones.
 FIRST, LAST = 10, 5
 #: Columns that hold the ids of shapes and balls.
@@ -33,10 +38,9 @@ SHAPE_COLUMNS = ("id", "kind", "name", "position", "motion", "elasticity", "kick
 
 def table_of(shown: Tabled) -> str | None:
     """What a notebook shows of hits, answers, balls or shapes, as HTML; None for an array that has no such rows."""
-    if isinstance(shown, Plural):
-        if not shown._are_rows() or shown.ndim != 1:
-            return None
-        return plural_table(shown)
+    if isinstance(shown, Plural | RecordedHits):
+        own = HIT if isinstance(shown, RecordedHits) else shown.DTYPE
+        return table_of_rows(shown) if shown.dtype == own and shown.ndim == 1 else None
     if isinstance(shown, Balls):
         rows = [ball_row(shown, place) for place in shown_places(len(shown))]
         return html(counted(len(shown), "balls"), BALL_COLUMNS, rows, len(shown))
@@ -66,15 +70,20 @@ def counted(count: int, what: str) -> str:
     return f"{count:,} {what}" if count != 1 else f"1 {what.removesuffix('s')}"
 
 
-def plural_table(shown: Plural[Any]) -> str:
+def table_of_rows(shown: RowsOfMembers) -> str:
     """The table of hits, touches, counts, or answers to queries."""
     columns = shown.dtype.names or ()
     rows = shown.view(np.ndarray)
     cells = [[cell(shown, column, rows[place][column]) for column in columns] for place in shown_places(len(rows))]
-    return html(counted(len(rows), type(shown).__name__.lower()), columns, cells, len(rows))
+    return html(
+        counted(len(rows), "hits" if isinstance(shown, RecordedHits) else type(shown).__name__.lower()),
+        columns,
+        cells,
+        len(rows),
+    )
 
 
-def cell(shown: Plural[Any], column: str, value: Any) -> str:
+def cell(shown: RowsOfMembers, column: str, value: Any) -> str:
     """The words for one field of a row: names for ids, and few digits for numbers."""
     if column in MEMBERS:
         return member(shown, int(value))
@@ -83,10 +92,12 @@ def cell(shown: Plural[Any], column: str, value: Any) -> str:
     return words(value)
 
 
-def member(shown: Plural[Any], key: int) -> str:
+def member(shown: RowsOfMembers, key: int) -> str:
     """What a shape or ball is called that a row names by its id; the id where it is not known any more."""
     if key == 0:
         return ""
+    if isinstance(shown, RecordedHits):
+        return shown.label_of(key)
     try:
         world: World = shown._world
         found = world._object_of_hit(key, shown._gone if isinstance(shown, OfHits) else None)

@@ -8,7 +8,7 @@ import pytest
 import carom
 from carom.draw.tables import BALL_COLUMNS, FIRST, LAST, SHAPE_COLUMNS, table_of
 from carom.pictured import Tabled
-from tests.pages.runs import NASTY, furnished
+from tests.pages.runs import NASTY, furnished, furnished_run
 
 
 class Cells(HTMLParser):
@@ -133,3 +133,12 @@ def test_names_are_words_and_no_elements() -> None:
 def test_of_anything_else_there_is_no_table() -> None:
     with pytest.raises(TypeError, match="no tables of a Tabled"):
         table_of(Tabled())
+
+
+def test_hits_of_a_recording_are_the_same_table() -> None:
+    run = furnished_run()
+    table = Cells(run.hits._repr_html_())
+    assert table.caption == f"{len(run.hits)} hits"
+    first = dict(zip(table.rows[0], table.rows[1], strict=True))
+    assert first["shape"] == run.label_of(int(run.hits["shape"][0]))
+    assert run.hits.reshape(1, -1)._repr_html_() is None
