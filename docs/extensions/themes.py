@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.artist import Artist
-from matplotlib.colors import to_hex
+from matplotlib.colors import is_color_like, to_hex, to_rgba
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,7 +25,7 @@ def darken(figure: Figure) -> None:
         for name in COLOURS:
             read, write = getattr(artist, f"get_{name}", None), getattr(artist, f"set_{name}", None)
             colour = read() if callable(read) and callable(write) else None
-            if isinstance(colour, str | tuple) and colour not in ("none", "None", "auto"):
+            if isinstance(colour, str | tuple) and is_color_like(colour) and to_rgba(colour)[3] > 0.0:
                 plain = to_hex(colour)
                 if plain in DARK and write is not None:
                     write(DARK[plain])
@@ -78,4 +78,5 @@ def show_plots_in_both() -> None:
 
     shell = get_ipython()
     if shell is not None:
+        shell.run_line_magic("matplotlib", "inline")  # now, for it forgets how figures are shown
         shell.display_formatter.formatters["text/html"].for_type(Figure, html)

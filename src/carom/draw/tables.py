@@ -112,7 +112,7 @@ def words(value: Any) -> str:
     """A number or a vector in few digits, anything else as it is."""
     if isinstance(value, np.ndarray | tuple):
         return f"({', '.join(words(part) for part in value)})"
-    return f"{value:.4g}" if isinstance(value, float | np.floating) else f"{value}"
+    return f"{value + 0.0:.4g}" if isinstance(value, float | np.floating) else f"{value}"
 
 
 def ball_row(balls: Balls, place: int) -> Row:
