@@ -248,6 +248,22 @@ def test_names_lie_over_no_other_and_those_without_room_are_counted(opened: Open
                 assert 2 * abs(x - other_x) >= wide + other_wide or 2 * abs(y - other_y) >= high + other_high
 
 
+def test_names_without_room_are_told_beside_their_switch(opened: Opened) -> None:
+    world = carom.World()
+    for place in range(40):
+        world.add(
+            carom.Segment((place % 8, 0.1 * (place // 8)), (place % 8 + 0.5, 0.1), name=f"a rather long name {place}")
+        )
+    replay = opened(carom.Recording.of(world, 0.1), 390)
+    replay.show_only("names")
+    left_out = replay("replay.stage.names.leftOut")
+    assert left_out > 5
+    said = "document.querySelector('.switch:has(#layer-names) .quiet').textContent"
+    assert replay(said) == f"{left_out} names without room"
+    replay.show_only("shapes")
+    assert replay(said) == ""
+
+
 def test_on_a_screen_such_as_4k_words_and_marks_are_larger_and_stay_where_they_belong(opened: Opened) -> None:
     recording = furnished_run()
     usual, large = opened(recording), opened(recording, 3840, 2160)

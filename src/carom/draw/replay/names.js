@@ -5,6 +5,7 @@ class Names {
   constructor(stage) {
     this.stage = stage;
     this.widths = new Map();
+    this.leftOut = 0;
   }
 
   draw() {
