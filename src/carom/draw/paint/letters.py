@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.draw.paint.svg import printable
+from carom.errors import LettersWarning
 from carom.extras import needed
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ MISSING = 'raster pictures have bold letters alone, and of few scripts, without 
 class Letters:
     """Words as surfaces of pygame's, their letters some pixels high; a letter that one font lacks is of the next.
 
-    Raises `MissingExtra` without pygame. Without pygame_gui, which is said in a warning, the letters are pygame's own.
+    Raises `MissingExtra` without pygame. Without pygame_gui they are pygame's own, and a `LettersWarning` says so.
     """
 
     def __init__(self) -> None:
@@ -45,6 +46,7 @@ class Letters:
         self._freetype.init()
         self._font = lru_cache(maxsize=64)(self._pygame.font.Font)
         self._asked = lru_cache(maxsize=None)(self._freetype.Font)
+        self._fonts = lru_cache(maxsize=2)(fonts)
         self._file_of = lru_cache(maxsize=4096)(self._found)
         self.surface = lru_cache(maxsize=512)(self._rendered)
 
@@ -69,22 +71,25 @@ class Letters:
 
     def _found(self, letter: str, *, bold: bool) -> str:
         """The file of the first font that has a letter; of the first one where none has."""
-        files = fonts(bold=bold) or (self._pygame.font.get_default_font(),)
+        files = self._fonts(bold=bold) or (self._pygame.font.get_default_font(),)
         for file in files[: len(files) if len(files) > 1 else 0]:
             if self._asked(file, ASKED).get_metrics(letter)[0] is not None:
                 return file
         return files[0]
 
 
-@lru_cache
 def fonts(*, bold: bool) -> tuple[str, ...]:
-    """The paths of the fonts that pygame_gui brings; none, and a warning, where it is not installed."""
+    """The paths of the fonts that pygame_gui brings; none where it is not installed."""
+    folder = fonts_folder()
+    paths = [folder / face.format("Bold" if bold else "Regular") for face in FACES] if folder is not None else []
+    return tuple(str(path) for path in paths if path.is_file())
+
+
+@lru_cache
+def fonts_folder() -> Path | None:
+    """The folder of pygame_gui's fonts; None, and a warning, where it is not installed."""
     package = find_spec("pygame_gui")
-    folders = package.submodule_search_locations if package is not None else None
-    paths = [
-        Path(folder, "data", face.format("Bold" if bold else "Regular")) for folder in folders or () for face in FACES
-    ]
-    found = tuple(str(path) for path in paths if path.is_file())
-    if not found:
-        warnings.warn(MISSING, stacklevel=2)
-    return found
+    if package is None or package.origin is None:
+        warnings.warn(MISSING, LettersWarning, stacklevel=2)
+        return None
+    return Path(package.origin).with_name("data")

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from carom.draw.paint import letters
-from carom.draw.paint.letters import MISSING, Letters, fonts
+from carom.draw.paint.letters import MISSING, Letters, fonts_folder
+from carom.errors import LettersWarning
 
 pygame = pytest.importorskip("pygame", reason='no pygame: pip install "carom[draw]"')
 BLACK = (0, 0, 0)
@@ -16,10 +17,10 @@ BLACK = (0, 0, 0)
 @pytest.fixture
 def without_fonts(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """As if pygame_gui were not installed."""
-    fonts.cache_clear()
+    fonts_folder.cache_clear()
     monkeypatch.setattr(letters, "find_spec", lambda name: None)
     yield
-    fonts.cache_clear()
+    fonts_folder.cache_clear()
 
 
 def darkness(words: str, *, bold: bool = False) -> float:
@@ -58,7 +59,7 @@ def test_a_word_of_two_scripts_stands_on_one_line() -> None:
 @pytest.mark.usefixtures("without_fonts")
 def test_without_the_fonts_pygames_own_is_used_and_one_line_says_so() -> None:
     made = Letters()
-    with pytest.warns(UserWarning, match="pip install") as told:
+    with pytest.warns(LettersWarning, match="pip install") as told:
         surface, _ = made.surface("words", 16.0, BLACK)
     assert surface.get_width() > 20
     assert [str(warning.message) for warning in told] == [MISSING]
