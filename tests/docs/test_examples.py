@@ -96,6 +96,7 @@ def test_an_example_is_short(name: str) -> None:
     assert len((FOLDER / f"{name}.py").read_text(encoding="utf-8").splitlines()) < LONGEST
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_lesson_follows_its_sliders_and_its_player(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("ipywidgets")

@@ -17,6 +17,7 @@ KEPT = ROOT / "docs" / "static" / "carom.mp4"
 LARGEST = 5_000_000
 
 
+@pytest.mark.slow
 def test_the_video_that_is_kept_is_half_a_minute_and_small() -> None:
     assert sum(seconds for _, seconds in video.RUNS) == 30.0
     assert seconds_in(KEPT) == pytest.approx(30.0, abs=0.2)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Sequence
 
     from carom.draw.paint.painter import Vector
 
@@ -59,54 +59,48 @@ class Labels:
         return [label.box for label in self.found]
 
 
-def placed(wishes: Iterable[Wish], stage: Box, balls: Boxes, taken: Sequence[Box] = ()) -> Labels:
+def placed(wishes: Sequence[Wish], stage: Box, balls: Boxes, taken: Sequence[Box] = ()) -> Labels:
     """The labels that have room on the `stage`, one after the other, each at the first place that is free.
 
     None lies over a box that is `taken`, and none over one of the `balls`, (n, 4), unless there is no other place.
     """
     found: list[Label] = []
-    occupied = list(taken)
-    left_out = 0
+    occupied = np.zeros((len(taken) + len(wishes), 4))
+    occupied[: len(taken)] = np.reshape(taken, (-1, 4))
     for wish in wishes:
-        label = free_place(wish, stage, balls, np.array(occupied).reshape(-1, 4))
-        if label is None:
-            left_out += 1
-        else:
-            occupied.append(label.box)
+        label = free_label(wish, stage, balls, occupied[: len(taken) + len(found)])
+        if label is not None:
+            occupied[len(taken) + len(found)] = label.box
             found.append(label)
-    return Labels(tuple(found), left_out)
+    return Labels(tuple(found), len(wishes) - len(found))
 
 
-def free_place(wish: Wish, stage: Box, balls: Boxes, occupied: Boxes) -> Label | None:
-    """The label at the first candidate that is on the stage and over nothing, else over balls alone, or None."""
-    over_balls = None
-    for label in candidates(wish):
-        left, top, right, bottom = label.box
-        inside = stage[0] <= left and stage[1] <= top and right <= stage[2] and bottom <= stage[3]
-        if not inside or any_overlap(label.box, occupied):
-            continue
-        if not any_overlap(label.box, balls):
-            return label
-        over_balls = over_balls or label
-    return over_balls
+def free_label(wish: Wish, stage: Box, balls: Boxes, occupied: Boxes) -> Label | None:
+    """The label in the first box that is on the stage and over nothing, else over balls alone, or None."""
+    boxes = candidates(wish)
+    inside = (boxes[:, :2] >= stage[:2]).all(axis=1) & (boxes[:, 2:] <= stage[2:]).all(axis=1)
+    free = inside & ~over_any(boxes, occupied)
+    clear = free & ~over_any(boxes, balls)
+    choice = clear if clear.any() else free
+    if not choice.any():
+        return None
+    number = int(choice.argmax())
+    left, top, right, bottom = boxes[number].tolist()
+    box = (left, top, right, bottom)
+    farther, place = divmod(number // len(SIDES), len(wish.places))
+    middle = wish.places[place][0]
+    return Label(wish.words, box, (middle, nearest(box, middle)) if farther else None)
 
 
-def candidates(wish: Wish) -> Iterator[Label]:
-    """The labels that a wish may become: at each side of each place, then farther off."""
-    for farther in (0.0, *FARTHER):
-        for place, clearance in wish.places:
-            for right, below in SIDES:
-                box = beside(place, clearance + GAP + farther, right, below, wish)
-                yield Label(wish.words, box, (place, nearest(box, place)) if farther else None)
-
-
-def beside(place: Vector, off: float, right: int, below: int, wish: Wish) -> Box:
-    """The box of a wish on one side of a place, so many pixels off it."""
-    if right and below:
-        off *= SLANT
-    x = place[0] + right * (off + 0.5 * wish.width)
-    y = place[1] + below * (off + 0.5 * wish.height)
-    return x - 0.5 * wish.width, y - 0.5 * wish.height, x + 0.5 * wish.width, y + 0.5 * wish.height
+def candidates(wish: Wish) -> Boxes:
+    """The boxes that a wish may fill, (n, 4): at each side of each place, then the same farther off."""
+    places = np.array([(*place, clearance + GAP) for place, clearance in wish.places])
+    off = np.array((0.0, *FARTHER))[:, None] + places[:, 2]
+    ways = np.array(SIDES, dtype=np.float64)
+    slant = np.where(ways.all(axis=1), SLANT, 1.0)
+    half = 0.5 * np.array((wish.width, wish.height))
+    middles = places[:, None, :2] + ways * (off[:, :, None, None] * slant[:, None] + half)
+    return np.concatenate((middles - half, middles + half), axis=-1).reshape(-1, 4)
 
 
 def nearest(box: Box, place: Vector) -> Vector:
@@ -114,7 +108,9 @@ def nearest(box: Box, place: Vector) -> Vector:
     return min(max(place[0], box[0]), box[2]), min(max(place[1], box[1]), box[3])
 
 
-def any_overlap(box: Box, others: Boxes) -> bool:
-    """Whether a box has more than an edge in common with any of some others, (n, 4)."""
-    left, top, right, bottom = others.T
-    return bool(((box[0] < right) & (left < box[2]) & (box[1] < bottom) & (top < box[3])).any())
+def over_any(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
+    """Which of some boxes, (n, 4), have more than an edge in common with any of some others, (m, 4)."""
+    left, top, right, bottom = boxes.T[:, :, None]
+    apart = (left >= others[:, 2]) | (others[:, 0] >= right) | (top >= others[:, 3]) | (others[:, 1] >= bottom)
+    over: NDArray[np.bool_] = ~apart.all(axis=1)
+    return over

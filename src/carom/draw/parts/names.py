@@ -46,7 +46,7 @@ def draw_names(painter: Painter, picture: Picture) -> None:
 
 def still_labels(frame: Frame, names: Mapping[int, str], still: Iterable[Drawn], balls: Balls) -> Labels:
     """The names of the shapes that never change, which keep off the balls as they are at one time."""
-    return placed(shape_wishes(frame, names, still), stage_box(frame), ball_boxes(frame, balls))
+    return placed(tuple(shape_wishes(frame, names, still)), stage_box(frame), ball_boxes(frame, balls))
 
 
 def moving_labels(picture: Picture) -> Labels:

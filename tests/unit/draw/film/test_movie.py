@@ -33,6 +33,7 @@ def test_a_film_plays_as_long_as_the_run_took(tmp_path: Path, recording: carom.R
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.slow
 def test_films_of_one_size_follow_each_other(tmp_path: Path, recording: carom.Recording) -> None:
     films = [draw.Film(recording, size=(97, 64), theme=theme) for theme in (draw.ThemeName.DARK, draw.ThemeName.LIGHT)]
     told: list[tuple[int, int]] = []

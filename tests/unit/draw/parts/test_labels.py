@@ -17,7 +17,7 @@ wish = st.builds(
     st.floats(5.0, 160.0),
     st.lists(place, min_size=1, max_size=4),
 )
-wishes = st.lists(wish, max_size=40)
+wishes = st.lists(wish, max_size=24)
 boxes = st.lists(
     st.tuples(st.floats(0.0, 380.0), st.floats(0.0, 280.0), st.floats(1.0, 60.0)).map(
         lambda box: (box[0], box[1], box[0] + box[2], box[1] + box[2])

@@ -7,7 +7,7 @@ import carom
 from carom import draw
 from carom.draw import Layer
 from carom.draw.parts.frame import Frame
-from carom.draw.parts.labels import any_overlap
+from carom.draw.parts.labels import over_any
 from carom.draw.parts.moment import Balls
 from carom.draw.parts.names import MOST_BALLS, ball_boxes, moving_labels
 from carom.shapes.aabb import Aabb
@@ -39,21 +39,22 @@ def test_names_stand_once_beside_what_they_name() -> None:
 
 
 def test_names_lie_over_no_other_with_all_layers_and_what_is_left_out_is_said() -> None:
-    for number in (30, 400):
+    for number in (30, 160):
         world = carom.World()
         for place in range(number):
             x, y = 2.0 * (place % 20), 2.0 * (place // 20)
             world.add(carom.Segment((x, y), (x + 1, y + 1), name=f"segment {place}"))
             world.add(carom.Ball((x + 1.0, y), 0.3, velocity=(1, 1), name=f"ball {place}"))
-        picture = draw.picture_of(world, "Crowd", layers=set(Layer), size=(1000, 640))
+        picture = draw.picture_of(world, "Crowd", layers=set(Layer), size=(900, 560))
         labels = [*picture.labels.found, *moving_labels(picture).found]
         boxes = np.array([label.box for label in labels])
-        assert not any(any_overlap(box, np.delete(boxes, place, axis=0)) for place, box in enumerate(boxes))
+        for place in range(len(boxes)):
+            assert not over_any(boxes[place : place + 1], np.delete(boxes, place, axis=0)).any()
         left_out = 2 * number - len(labels)
         said = [note for note in picture.panel.notes if "no room" in note]
         assert said == ([f"{left_out} names have no room."] if left_out else [])
         assert picture.panel.height <= picture.frame.height
-    assert left_out > 100
+    assert left_out > 20
 
 
 def test_a_world_of_many_balls_is_labelled_without_regard_to_them() -> None:
