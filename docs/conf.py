@@ -59,7 +59,7 @@ sphinx_gallery_conf = {
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",
     "ignore_pattern": r"__init__\.py$",
-    "image_scrapers": ("matplotlib", "pages.svg_scraper"),
+    "image_scrapers": ("themes.plot_scraper", "pages.svg_scraper"),
     "within_subsection_order": "pages.ReadingOrder",
     "capture_repr": (),
     "download_all_examples": False,

@@ -41,6 +41,6 @@ light, heavy = np.array(velocities).T
 _, axes = plt.subplots(figsize=(5, 5), layout="constrained")
 axes.plot(light, 10 * heavy, "o-", color="#1f8aa8", markersize=4, linewidth=1)
 axes.set_aspect("equal")
-axes.set_xlabel("√m · v of the light ball")
-axes.set_ylabel("√M · V of the heavy ball")
+axes.set_xlabel("√m · v of the light ball in √mass · length/s")
+axes.set_ylabel("√M · V of the heavy ball in √mass · length/s")
 plt.show()

@@ -31,7 +31,7 @@ expected = [len(bins) * comb(ROWS, k) / 2**ROWS for k in range(ROWS + 1)]
 _, axes = plt.subplots(figsize=(7, 3.6), layout="constrained")
 axes.bar(range(ROWS + 1), counts, color="#1f8aa8", label="balls")
 axes.plot(range(ROWS + 1), expected, "o-", color="#d9480f", label="binomial")
-axes.set_xlabel("bin")
+axes.set(xlabel="bin", ylabel="balls")
 axes.legend(frameon=False)
 print(
     f"mean bin {bins.mean():.2f} of 0 to {ROWS}, spread {bins.std():.2f}; binomial: {ROWS / 2} and {ROWS**0.5 / 2:.2f}"

@@ -48,7 +48,7 @@ for generation in range(GENERATIONS):
     middle, spread = best.mean(axis=0), best.std(axis=0) + 0.05
     means.append(scores.mean())
     print(f"generation {generation}: {means[-1]:.1f} points a game")
-plt.plot(means)
+plt.axes(xlabel="generation", ylabel="points a game").plot(means)
 plt.show()
 # Games that none of them has seen; beside them who never moves a flipper, and who moves them by chance.
 for name, player in (

@@ -23,9 +23,9 @@ axes.fill(*hits["point"].T, color="#1f8aa8", alpha=0.25)
 axes.plot(*hits["point"].T, ".", color="#1f8aa8", markersize=2)
 axes.plot(*eye, "o", color="#d9480f")
 axes.set_aspect("equal")
-axes.set_title("What is seen from one place")
+axes.set(title="What is seen from one place", xlabel="x in lengths", ylabel="y in lengths")
 
 seen = {world.object(shape).name or "something without a name" for shape in hits["shape"][hits.found].tolist()}
 print(f"{hits.found.sum()} of {BEAMS} beams end on something; the nearest after {REACH * hits['fraction'].min():.2f}")
-print(f"seen: {', '.join(sorted(seen))}")
+print("seen:", *sorted(seen), sep="\n  ")
 plt.show()

@@ -18,7 +18,7 @@ _, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 for ball in range(BALLS):
     axes.plot(run.times, run.positions[:, ball, 0], linewidth=2)
 axes.set_xlabel("time in s")
-axes.set_ylabel("where each ball is")
+axes.set_ylabel("where each ball is, in lengths")
 axes.set_title("Newton's cradle")
 
 energy = run.kinetic_energy()

@@ -36,6 +36,6 @@ apart = np.linalg.norm(runs[1].positions[:, 0] - runs[0].positions[:, 0], axis=1
 _, axes = plt.subplots(figsize=(7, 3.6), layout="constrained")
 axes.semilogy(runs[0].times, np.maximum(apart, 1e-16), color="#1f8aa8")
 axes.set_xlabel("time in s")
-axes.set_ylabel("distance of the twins")
+axes.set_ylabel("distance of the twins in lengths")
 print(f"apart by a radius after {runs[0].times[np.argmax(apart > 0.08)]:.1f} s")
 plt.show()

@@ -33,7 +33,7 @@ for detection, colour in (("discrete", "#d9480f"), ("continuous", "#1f8aa8")):
     shares = [lost(travel, detection) for travel in travels]
     axes.plot(travels, shares, "o-", color=colour, label=detection)
     print(f"{detection}: at most {max(shares):.0%} get through")
-axes.set_xlabel("radii that a ball travels in a substep")
+axes.set_xlabel("way of a ball in a substep, in its radii")
 axes.set_ylabel("share that gets through")
 axes.legend(frameon=False)
 plt.show()

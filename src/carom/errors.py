@@ -32,6 +32,10 @@ class DrawingWarning(UserWarning):
     """A drawing holds what no scene has, such as text and images: it was left out, and the message says what it was."""
 
 
+class LettersWarning(UserWarning):
+    """Raster pictures have other letters than SVG ones, for want of fonts; the message says what brings them."""
+
+
 class SnapshotError(CaromError, ValueError):
     """A snapshot was damaged, cut, or not made by this library."""
 

@@ -1,4 +1,4 @@
-"""What shows itself in a notebook: a picture, or a page that plays."""
+"""What shows itself in a notebook: a picture, a page that plays, or a table."""
 
 from __future__ import annotations
 
@@ -25,3 +25,15 @@ class Played(Pictured):
         from carom.draw.notebook import player
 
         return player(self)
+
+
+class Tabled:
+    """Base of what notebooks show as a table."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str | None:
+        """The table, as an element of HTML; None where it is an array of something else."""
+        from carom.draw.notebook import table_of
+
+        return table_of(self)

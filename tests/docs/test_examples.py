@@ -22,6 +22,9 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "boundary_map": lambda names, _: len(names["sine"]) >= 2000 and np.ptp(names["sine"]) < 1e-9,
     "bowl": lambda names, printed: "less by 0.000000" in printed and 0 < len(names["run"].hits) < 60,
     "breakout": lambda names, _: names["standing"] < 20 and names["score"] == 10 * (20 - names["standing"]),
+    "classroom": lambda names, printed: (
+        "45 degrees it lands after 10.40 m" in printed and "<svg" in names["stage"].value
+    ),
     "common_tangents": lambda names, _: len(names["belt"]) == 6,
     "flipper": lambda names, _: np.allclose(names["speeds"], names["expected"], rtol=0.02),
     "galperin_pi": lambda _, printed: [line.split()[2] for line in printed.splitlines()] == ["3", "31", "314", "3141"],
@@ -58,6 +61,8 @@ LONG = {
     "stadium_chaos",
     "two_modes",
 }
+#: What those need that are of no extra but that for the docs.
+NEEDS = {"classroom": "ipywidgets"}
 CASES = [pytest.param(name, marks=[pytest.mark.compiled] if name in LONG else []) for name in sorted(CLAIMS)]
 
 
@@ -72,6 +77,8 @@ def test_the_gallery_is_all_examples_and_each_is_tested() -> None:
 def test_an_example_shows_what_it_says(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    if name in NEEDS:
+        pytest.importorskip(NEEDS[name])
     mpl.use("Agg")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(plt, "show", lambda: None)
@@ -87,3 +94,22 @@ def test_an_example_shows_what_it_says(
 @pytest.mark.parametrize("name", sorted(CLAIMS))
 def test_an_example_is_short(name: str) -> None:
     assert len((FOLDER / f"{name}.py").read_text(encoding="utf-8").splitlines()) < LONGEST
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_the_lesson_follows_its_sliders_and_its_player(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("ipywidgets")
+    monkeypatch.chdir(tmp_path)
+    names = runpy.run_path(str(FOLDER / "classroom.py"))
+    stage, player = names["stage"], names["frame"]
+    seen = [stage.value]
+    for name, value in (("speed", 5.0), ("elasticity", 0.0), ("gravity", 2.0)):
+        names["sliders"][name].value = value
+        seen.append(stage.value)
+    assert "At 5 m/s and 75 degrees." in seen[-1]
+    for frame in (0, 60, 240):
+        player.value = frame
+        seen.append(stage.value)
+    assert len(set(seen)) == len(seen) - 1, "all differ, but for the last, which is what was shown before frame 0"
+    assert stage.value == seen[3]

@@ -2,6 +2,7 @@
 
 import ast
 import re
+import sys
 from typing import Any
 
 import matplotlib as mpl
@@ -10,7 +11,7 @@ import pytest
 from tests.conventions.source_trees import ROOT
 
 NOTEBOOK = ROOT / "docs" / "notebook.md"
-CELL = re.compile(r"^```\{code-cell\} ipython3\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+CELL = re.compile(r"^```\{code-cell\} ipython3\n(?::tags:.*?\n)?(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def shown(cell: str, names: dict[str, Any]) -> Any:
@@ -25,12 +26,19 @@ def shown(cell: str, names: dict[str, Any]) -> Any:
 
 
 @pytest.mark.compiled
-def test_the_notebook_runs_and_shows_a_world_a_run_and_a_scene(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_notebook_runs_and_shows_a_world_a_run_and_a_scene(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     mpl.use("Agg")
+    monkeypatch.chdir(NOTEBOOK.parent)  # where notebooks are run from
+    monkeypatch.setattr("sys.path", [*sys.path])
     names: dict[str, Any] = {}
     cells = [shown(cell, names) for cell in CELL.findall(NOTEBOOK.read_text(encoding="utf-8"))]
-    world, run, scene = [value for value in cells if value is not None]
+    world, shapes, contact, run, touches, scene = [value for value in cells if value is not None]
     assert world._repr_svg_().startswith("<svg")
+    assert "<td>bumper</td>" in shapes._repr_html_()
+    assert "setback" in contact._repr_svg_()
+    assert "<td>dome</td>" in touches._repr_html_()
     assert run._repr_html_().startswith("<iframe")
     assert scene._repr_svg_().startswith("<svg")
     assert "(721, 6, 2) frames, balls, coordinates" in capsys.readouterr().out

@@ -231,3 +231,58 @@ def test_pointing_at_a_ball_tells_its_name_and_speed(opened: Opened) -> None:
     assert replay.page.inner_text("#pointed").startswith("ball a · speed 3.")
     replay.page.mouse.move(box["x"] + 5, box["y"] + 5)
     assert not replay.page.is_visible("#pointed")
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_names_lie_over_no_other_and_those_without_room_are_counted(opened: Opened, width: int) -> None:
+    recording = furnished_run()
+    replay = opened(recording, width)
+    replay.show_only("names", "balls")
+    for frame in (0, 40, 110):
+        replay.seek(float(recording.times[frame]))
+        labels = replay("replay.stage.names.labels.map(({ x, y, width, height }) => [x, y, width, height])")
+        assert len(labels) + replay("replay.stage.names.leftOut") == 11
+        assert len(labels) >= 10
+        for place, (x, y, wide, high) in enumerate(labels):
+            for other_x, other_y, other_wide, other_high in labels[:place]:
+                assert 2 * abs(x - other_x) >= wide + other_wide or 2 * abs(y - other_y) >= high + other_high
+
+
+def test_names_without_room_are_told_beside_their_switch(opened: Opened) -> None:
+    world = carom.World()
+    for place in range(40):
+        world.add(
+            carom.Segment((place % 8, 0.1 * (place // 8)), (place % 8 + 0.5, 0.1), name=f"a rather long name {place}")
+        )
+    replay = opened(carom.Recording.of(world, 0.1), 390)
+    replay.show_only("names")
+    left_out = replay("replay.stage.names.leftOut")
+    assert left_out > 5
+    said = "document.querySelector('.switch:has(#layer-names) .quiet').textContent"
+    assert replay(said) == f"{left_out} names without room"
+    replay.show_only("shapes")
+    assert replay(said) == ""
+
+
+def test_on_a_screen_such_as_4k_words_and_marks_are_larger_and_stay_where_they_belong(opened: Opened) -> None:
+    recording = furnished_run()
+    usual, large = opened(recording), opened(recording, 3840, 2160)
+    assert usual("replay.view.marks") <= 1.0 < 1.5 < large("replay.view.marks") <= 2.0
+    heights = [replay.page.locator("#name").bounding_box() for replay in (usual, large)]
+    assert heights[0] is not None
+    assert heights[1] is not None
+    assert heights[1]["height"] > 1.4 * heights[0]["height"]
+    scrub = large.page.locator("#scrub").bounding_box()
+    assert scrub is not None
+    large.page.mouse.click(scrub["x"] + 0.25 * scrub["width"], scrub["y"] + 0.5 * scrub["height"])
+    assert large.time == pytest.approx(0.25 * recording.times[-1], abs=0.02)
+    canvas = large.page.locator("#canvas").bounding_box()
+    assert canvas is not None
+    large.seek(0.0)
+    x, y = large("[replay.view.pixelX(1.5), replay.view.pixelY(1.6)]")
+    large.page.mouse.move(canvas["x"] + x, canvas["y"] + y)
+    large.wait_until("!document.getElementById('pointed').hidden")
+    told = large.page.locator("#pointed").bounding_box()
+    assert told is not None
+    assert abs(told["x"] - canvas["x"] - x) < 60.0
+    assert abs(told["y"] - canvas["y"] - y) < 90.0

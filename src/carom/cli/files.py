@@ -11,6 +11,7 @@ import typer
 from carom import draw
 from carom.cli import outputs, report
 from carom.cli.hits_file import write_hits, write_hits_table
+from carom.cli.sources import warnings_told
 from carom.draw.film.movie import encoder
 from carom.draw.page.page import replay_page
 from carom.errors import CaromError
@@ -117,7 +118,7 @@ def writers_of_recording(recording: Recording, view: View) -> Writers:
 def write_all(paths: Sequence[Path], writers: Writers) -> None:
     """Write every file that can be written, say how large each is, and exit with 1 if any could not."""
     failed = False
-    with promised(paths) as left:
+    with promised(paths) as left, warnings_told():
         for path in paths:
             try:
                 size = outputs.write(path, writers[path.suffix.lower()])

@@ -13,13 +13,15 @@ from pathlib import Path
 import typer
 
 from carom.cli.mistakes import Mistake, meant
-from carom.errors import DrawingWarning
+from carom.errors import DrawingWarning, LettersWarning
 from carom.record import Recording
 from carom.scene import Scene, scenes
 from carom.scene.drawings.reading import is_drawing
 
 #: The ending of recordings.
 RECORDED = ".carom"
+#: The warnings that are said in a line.
+TOLD = (DrawingWarning, LettersWarning)
 #: The headings of shipped scenes whose names have no room for all of it.
 TITLES = {"newtons_cradle": "Newton's cradle"}
 
@@ -52,12 +54,13 @@ class Source:
 
 @contextmanager
 def warnings_told() -> Iterator[None]:
-    """A while in which what is left out of drawings is said on stderr, in a line each."""
+    """A while in which what drawings and pictures are without is said on stderr, in a line each."""
     with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", DrawingWarning)
+        for category in TOLD:
+            warnings.simplefilter("always", category)
         yield
     for warning in caught:
-        if issubclass(warning.category, DrawingWarning):
+        if issubclass(warning.category, TOLD):
             typer.echo(f"carom: {warning.message}", err=True)
         else:
             warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)

@@ -13,6 +13,7 @@ from carom.draw.parts.frame import LEAST_SIDE, MOST_SIDE, Frame
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.looks import LOOKS, look_now, material_of
 from carom.draw.parts.moment import Balls, Drawn, Measures, Moment
+from carom.draw.parts.names import still_labels
 from carom.draw.parts.outlines import ends_of
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import Picture, weight_for
@@ -125,6 +126,7 @@ class Live:
         self._moving = [(shape, material) for shape, material in ordered if self._changes(shape)]
         still = [drawn(shape, material) for shape, material in ordered if not self._changes(shape)]
         balls = Balls.of(self._world)
+        names = names_in(self._world) if Layer.NAMES in self._layers else {}
         self._picture = Picture(
             Panel("", "", ()),
             self.frame,
@@ -132,12 +134,13 @@ class Live:
             tuple(still),
             Moment(self._world.time, balls),
             {},
-            names_in(self._world) if Layer.NAMES in self._layers else {},
+            names,
             partition_of(self._world).cells if Layer.CELLS in self._layers else (),
             self._measures,
             weight_for(balls, self.frame),
             of_run=True,
             bands=LIVE_BANDS,
+            labels=still_labels(self.frame, names, still, balls),
         )
         self._kept: Any = None
 

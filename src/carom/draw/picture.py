@@ -15,11 +15,12 @@ from carom.draw.paint.svg import SvgPainter
 from carom.draw.parts.cells import draw_cells, partition_of
 from carom.draw.parts.frame import MARGIN, Frame
 from carom.draw.parts.impacts import draw_hits, draw_lights, draw_normals, draw_reticles, draw_tangents
+from carom.draw.parts.labels import Labels
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
-from carom.draw.parts.legend import facts, legend, remarks
+from carom.draw.parts.legend import facts, legend, remarks, unnamed
 from carom.draw.parts.looks import LOOKS, Look, look_of
 from carom.draw.parts.moment import STRONG, Balls, Drawn, Measures, Moment
-from carom.draw.parts.names import draw_moving_names, draw_shape_names
+from carom.draw.parts.names import draw_names, moving_labels, still_labels
 from carom.draw.parts.outlines import ends_of, has_sector, open_way
 from carom.draw.parts.panel import Panel
 from carom.draw.parts.scenery import (
@@ -59,6 +60,7 @@ TRACK_TOLERANCE = 0.25
 #: A ball's radius in pixels at which lines have their full width; in pictures of smaller balls they are thinner.
 FULL_WEIGHT_RADIUS = 6.0
 THINNEST = 0.45
+UNLABELLED = Labels()
 
 
 @spelled
@@ -81,6 +83,7 @@ class Picture:
     weight: float
     of_run: bool  # whether hits belong to it, shown or not
     bands: int = BANDS  # of tracks
+    labels: Labels = UNLABELLED  # of what stays
 
     def draw(self, painter: Painter) -> None:
         """Draw everything, layer by layer."""
@@ -108,8 +111,6 @@ class Picture:
             draw_shapes(painter, self, self.still, sensors=True)
         if self._begun(painter, Layer.SHAPES):
             draw_shapes(painter, self, self.still, sensors=False)
-        if self._begun(painter, Layer.NAMES):
-            draw_shape_names(painter, self)
 
     def draw_moving(self, painter: Painter) -> None:
         """Draw the moment."""
@@ -130,8 +131,8 @@ class Picture:
             draw_velocities(painter, self)
         if self._begun(painter, Layer.RETICLES):
             draw_reticles(painter, self)
-        if self._begun(painter, Layer.NAMES, "-moving"):
-            draw_moving_names(painter, self)
+        if self._begun(painter, Layer.NAMES):
+            draw_names(painter, self)
         painter.layer("facts")
         if self.frame.panel:
             self.panel.draw_facts(painter, self.frame, MARGIN)
@@ -263,7 +264,27 @@ def composed(
     panel = replace(panel, entries=legend({one.look for one in drawn}, samples_of(balls, inks), shown))
     frame = Frame.fit(box, panel.height, size)
     weight = weight_for(balls, frame)
-    return Picture(panel, frame, layers, still, moment, inks, names, cells, measures, weight, of_run)
+    picture = Picture(panel, frame, layers, still, moment, inks, names, cells, measures, weight, of_run)
+    if Layer.NAMES not in layers:
+        return picture
+    picture, left_out = labelled(picture)
+    if left_out:
+        # The note on it makes the panel higher, which the frame is to have room for.
+        frame = Frame.fit(box, noted(panel, left_out).height, size)
+        picture, left_out = labelled(replace(picture, frame=frame, weight=weight_for(balls, frame)))
+    return replace(picture, panel=noted(panel, left_out))
+
+
+def labelled(picture: Picture) -> tuple[Picture, int]:
+    """The same picture with the labels of what stays, and how many names of all find no room in it."""
+    labels = still_labels(picture.frame, picture.names, picture.still, picture.moment.balls)
+    picture = replace(picture, labels=labels)
+    return picture, labels.left_out + moving_labels(picture).left_out
+
+
+def noted(panel: Panel, left_out: int) -> Panel:
+    """A panel with a note on the names that found no room."""
+    return replace(panel, notes=(*panel.notes, *unnamed(left_out)))
 
 
 def drawn_of(shapes: Sequence[Shape], ids: Iterable[int]) -> tuple[Drawn, ...]:

@@ -12,6 +12,7 @@ from carom import checks
 from carom.pictured import Played
 from carom.record.check import check_recording
 from carom.record.files import read_recording, write_recording
+from carom.record.hits import RecordedHits
 from carom.record.members import label_of, put, shapes_of
 from carom.spelling import spelled
 
@@ -76,7 +77,7 @@ class Recording(Played):
 
     def __post_init__(self) -> None:
         for field, value in check_recording(self).items():
-            object.__setattr__(self, field, value)
+            object.__setattr__(self, field, RecordedHits.of(self, value) if field == "hits" else value)
 
     @staticmethod
     @spelled

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom.checks import refuse
+from carom.pictured import Pictured
 from carom.rows.ball import BallRow
 from carom.rows.contact import contact_of_balls, contact_with_shape
 from carom.rows.shape import BALL_KIND
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Contact:
+class Contact(Pictured):
     """One overlap of a ball with a shape or with another ball, as `detect` found it.
 
     `shape` is what was met (the part, where that is a part of a compound; the first ball, where two balls meet) and

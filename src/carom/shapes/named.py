@@ -6,12 +6,13 @@ from abc import abstractmethod
 
 from carom.checks import pair, text_or_none
 from carom.geometry.vector import length
+from carom.pictured import Pictured
 from carom.spelling import Spelled
 from carom.turns import setting
 from carom.typing import Pair, Vector
 
 
-class Named(Spelled):
+class Named(Spelled, Pictured):
     """What has a name and a nearest point."""
 
     __slots__ = ("_name",)

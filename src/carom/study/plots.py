@@ -74,7 +74,7 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
         axes.plot(recording.times, kinetic, color=FIRST, label="kinetic")
         axes.legend(frameon=False, loc="upper right", ncols=2)
     axes.set_ylim(*_room_for(np.concatenate((kinetic, total))))
-    return named(axes, "Energy", "time in s", "energy")
+    return named(axes, "Energy", "time in s", "energy in mass · length²/s²")
 
 
 @spelled
@@ -126,7 +126,7 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
     axes.figure.colorbar(image, ax=axes, label="share of the time", shrink=0.8)
     _outline(recording, axes)
     axes.set_aspect("equal")
-    return named(axes, "Where the balls were", "x", "y")
+    return named(axes, "Where the balls were", "x in lengths", "y in lengths")
 
 
 @spelled
@@ -146,7 +146,7 @@ def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0
     masses = np.broadcast_to(recording.masses, squared.shape)[there]
     speed = np.sqrt(squared[there])
     if len(speed) == 0:
-        return named(axes, "Speeds", "speed", "density")
+        return named(axes, "Speeds", "speed in lengths/s", "share of balls per length/s")
     fastest = float(speed.max()) or 1.0
     axes.hist(speed, bins=bins, range=(0.0, fastest), density=True, color=FIRST, alpha=0.75, label="balls")
     temperature = float(np.mean(0.5 * masses * squared[there]))
@@ -154,7 +154,7 @@ def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0
         grid = np.linspace(0.0, fastest, 200)
         axes.plot(grid, maxwell(grid, masses, temperature), color=SECOND, label="Maxwell")
         axes.legend(frameon=False)
-    return named(axes, "Speeds", "speed", "density")
+    return named(axes, "Speeds", "speed in lengths/s", "share of balls per length/s")
 
 
 def maxwell(speed: Floats, masses: Floats, temperature: float) -> Floats:

@@ -45,7 +45,7 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
         axes.axvline(end, color=OUTLINE, linewidth=1.0)
     axes.set_xlim(0.0, found.table.perimeter)
     axes.set_ylim(-1.0, 1.0)
-    return named(axes, "Boundary map", "arc length", "sine of the angle of incidence")
+    return named(axes, "Boundary map", "arc length in lengths", "sine of the angle of incidence")
 
 
 @spelled
@@ -55,7 +55,7 @@ def section(found: Section, axes: Axes | None = None) -> Axes:
     _dots(axes, found.distance, found.along, found.orbit)
     (ax, ay), (bx, by) = found.cut
     axes.set_xlim(0.0, hypot(bx - ax, by - ay))
-    return named(axes, "Poincaré section", "distance along the line", "velocity along the line")
+    return named(axes, "Poincaré section", "distance along the line in lengths", "velocity along the line in lengths/s")
 
 
 @spelled
@@ -68,7 +68,7 @@ def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
     axes.axvline(found.expected, color=OUTLINE, linestyle="--", label=f"π·area/perimeter {found.expected:.4g}")
     axes.legend(frameon=False)
     axes.set_xlim(left=0.0)
-    return named(axes, "Free paths", "length", "density")
+    return named(axes, "Free paths", "flight in lengths", "share of flights per length")
 
 
 @spelled
@@ -116,7 +116,7 @@ def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
     axes.axvline(value, color=SECOND, label=f"mean {value:.4g} ± {error:.1g}")
     axes.axvline(0.0, color=OUTLINE, linewidth=1.0)
     axes.legend(frameon=False)
-    return named(axes, "Lyapunov exponents", "greatest exponent, 1/s", "density")
+    return named(axes, "Lyapunov exponents", "greatest exponent in 1/s", "share of orbits per 1/s")
 
 
 def _dots(axes: Axes, x: Floats, y: Floats, orbit: Numbers) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import LostObject
+from carom.pictured import Tabled
 from carom.rows.tables import Rows, Table
 from carom.typing import Vector
 from carom.world.link import Link
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class Plural(np.ndarray[Any, np.dtype[Any]], Generic[T]):
+class Plural(np.ndarray[Any, np.dtype[Any]], Tabled, Generic[T]):
     """Rows of dtype `DTYPE` whose items are objects: a single index and iteration give those.
 
     It is false where it has no rows. Columns, and whatever NumPy computes of rows, are plain arrays. Copied or pickled

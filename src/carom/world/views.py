@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.checks import refuse
+from carom.pictured import Tabled
 from carom.rows.ball import BALL
 from carom.rows.state import DISCRETE
 from carom.shapes.assembly import Assembly
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from carom.world.world import World
 
 
-class Balls(Sequence["Ball"]):
+class Balls(Sequence["Ball"], Tabled):
     """The balls of a world in the order in which they were added.
 
     Columns are views of the world's own rows, without a copy: writing to them acts at once, as setting the balls' own
@@ -194,7 +195,7 @@ def _matters(world: World) -> bool:
     return bool(state["sleeping"] or state["detection"] != DISCRETE)
 
 
-class Shapes(Sequence["Shape | Compound | Group"]):
+class Shapes(Sequence["Shape | Compound | Group"], Tabled):
     """The shapes of a world in the order in which they were added; a compound or group is one, its parts are not.
 
     `world.shapes[3]` is by its place, `world.shapes["floor"]` the first one with that name; where nothing bears it,

@@ -8,6 +8,7 @@ import pytest
 import carom
 from carom import draw
 from carom.cli import main
+from carom.draw.paint import letters
 
 SCENE = """version = 1
 [world]
@@ -145,3 +146,13 @@ def test_a_full_disk_leaves_no_half_of_a_file(
     assert capsys.readouterr().err == f"carom: {name}: cannot be written: No space left on device\n"
     assert (here / name).read_bytes() == b"old"
     assert sorted(path.name for path in here.iterdir()) == sorted(["drop.toml", name])
+
+
+def test_letters_without_their_fonts_are_said_in_one_line(
+    here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    letters.fonts_folder.cache_clear()
+    monkeypatch.setattr(letters, "find_spec", lambda name: None)
+    assert status_of("show", "drop.toml", *outs("drop.png")) == 0
+    letters.fonts_folder.cache_clear()
+    assert capsys.readouterr().err == f"carom: {letters.MISSING}\n"

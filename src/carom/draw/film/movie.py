@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from subprocess import PIPE
@@ -58,38 +59,42 @@ def encoder() -> str:
 
 
 @spelled
-def write_film(film: Film, path: Path, tell: Callable[[int, int], Any] | None = None) -> None:
+def write_film(film: Film | Sequence[Film], path: Path, tell: Callable[[int, int], Any] | None = None) -> None:
     """Write a `.gif` or `.mp4` file that plays a film as fast as it happened.
 
     Args:
-        film: The film.
+        film: The film, or films of one size, which then follow each other.
         path: The file; it is there in part while this goes on, and if it fails.
         tell: Called with the frames done and the frames in all, after each.
 
     Raises:
         EncodingError: The encoder failed, of a full disk for example.
-        InvalidArgument: The file has another ending.
+        InvalidArgument: The file has another ending, or there are no films, or films of different sizes.
         MissingExtra: There is no encoder.
     """
     ending = path.suffix.lower()
     if ending not in RATES:
         raise refuse("path", f"must end in {' or '.join(RATES)}", str(path))
-    frames = frames_of(film, RATES[ending])
+    films = list(film) if isinstance(film, Sequence) else [film]
+    sizes = [one.pixels for one in films]
+    if len(set(sizes)) != 1:
+        raise refuse("film", "must be one or several of the same size", sizes)
+    frames = [(one, frame) for one in films for frame in frames_of(one, RATES[ending])]
 
     def pictures() -> Iterable[bytes]:
-        for done, frame in enumerate(frames, 1):
-            yield film.rgb(frame)
+        for done, (one, frame) in enumerate(frames, 1):
+            yield one.rgb(frame)
             if tell is not None:
                 tell(done, len(frames))
 
     if ending == ".mp4":
-        encode(film, RATES[ending], pictures(), MP4, path)
+        encode(sizes[0], RATES[ending], pictures(), MP4, path)
         return
     with TemporaryDirectory() as folder:
         palette = Path(folder) / "palette.png"
         samples = frames[:: max(1, -(-len(frames) // MOST_SAMPLES))]
-        encode(film, 1, (film.rgb(frame) for frame in samples), PALETTE, palette)
-        encode(film, RATES[ending], pictures(), {"-i": str(palette)} | GIF, path)
+        encode(sizes[0], 1, (one.rgb(frame) for one, frame in samples), PALETTE, palette)
+        encode(sizes[0], RATES[ending], pictures(), {"-i": str(palette)} | GIF, path)
 
 
 def frames_of(film: Film, rate: int) -> list[int]:
@@ -99,9 +104,9 @@ def frames_of(film: Film, rate: int) -> list[int]:
     return [recording.frame_at(recording.times[0] + number / rate + ROUNDING) for number in range(count)]
 
 
-def encode(film: Film, rate: int, pictures: Iterable[bytes], options: Mapping[str, str], path: Path) -> None:
-    """Give pictures to the encoder, which writes a file as its `options` say."""
-    width, height = film.pixels
+def encode(size: tuple[int, int], rate: int, pictures: Iterable[bytes], options: Mapping[str, str], path: Path) -> None:
+    """Give pictures of a size to the encoder, which writes a file as its `options` say."""
+    width, height = size
     source = {"-f": "rawvideo", "-pix_fmt": "rgb24", "-s": f"{width}x{height}", "-r": str(rate), "-i": "-"}
     words = (word for table in (source, options, PLAIN) for pair in table.items() for word in pair)
     command = [encoder(), "-y", "-nostdin", "-loglevel", "error", *words, str(path)]

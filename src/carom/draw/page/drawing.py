@@ -13,6 +13,7 @@ from carom.draw.page.painter import PagePainter, record_into
 from carom.draw.parts.cells import cells_of, draw_cells
 from carom.draw.parts.frame import Frame
 from carom.draw.parts.impacts import FIRST_ANGLE, GLOW_TIME, HALF_TANGENT, NORMAL_LENGTH, TURN
+from carom.draw.parts.labels import FARTHER, GAP, SIDES, SLANT
 from carom.draw.parts.layers import Layer
 from carom.draw.parts.legend import (
     SAMPLE_BALLS,
@@ -43,7 +44,7 @@ from carom.draw.parts.marks import (
     track_style,
 )
 from carom.draw.parts.moment import LATEST
-from carom.draw.parts.names import AROUND, GAP, GROUND, LABEL, MOST_PLACES, shared_label
+from carom.draw.parts.names import AROUND, CLEAR, GROUND, LABEL, LEADER, MOST_BALLS, MOST_PLACES, shared_label
 from carom.draw.parts.outlines import GLOW, anchor, has_sector, sector_mark, shape_mark, sign_mark
 from carom.draw.parts.panel import GLYPH_WIDTH
 from carom.draw.parts.scenery import FAST_ARROW, SHORTEST_ARROW, draw_boxes
@@ -190,7 +191,9 @@ def marks(weight: float) -> Plain:
         "box": {"ink": BOX.stroke, "width": BOX.width, "dash": BOX.dash},
         "label": {
             "ink": LABEL.ink, "size": LABEL.size, "around": AROUND, "gap": GAP,
-            "ground": GROUND.fill, "opacity": GROUND.opacity,
+            "ground": GROUND.fill, "opacity": GROUND.opacity, "clear": CLEAR, "most_balls": MOST_BALLS,
+            "farther": [0.0, *FARTHER], "sides": SIDES, "slant": SLANT,
+            "leader": LEADER.stroke, "leader_width": LEADER.width,
         },
     }  # fmt: skip
 

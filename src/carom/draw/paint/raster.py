@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.draw.paint.letters import Letters
 from carom.draw.paint.painter import Style, sides
 from carom.draw.paint.patches import (
     Extent,
@@ -22,7 +23,6 @@ from carom.draw.paint.patches import (
     polygon_patches,
     polyline_patches,
 )
-from carom.draw.paint.svg import printable
 from carom.draw.theme import THEMES, ThemeName
 from carom.extras import needed
 from carom.spelling import spelled
@@ -44,8 +44,6 @@ FINER_PLACES = 4
 QUICK_WIDTH, QUICK_CORNERS = 3.0, 4
 #: Pixels: how far inside of an arc the line may be that a quick painter draws it as.
 QUICK_SAGITTA = 0.15
-#: Letters are drawn so many times larger and made smaller, for fonts put small letters at whole pixels, unevenly apart.
-FINER_LETTERS = 4
 #: The edge of an area that is drawn quickly.
 EDGE = Style(width=1.0)
 #: The ink that faint lines are mixed with.
@@ -71,7 +69,6 @@ class RasterPainter:
     def __init__(self, frame: Frame, theme: ThemeName = ThemeName.LIGHT, *, quick: bool = False) -> None:
         self.quick = quick
         self._pygame = needed("pygame", "pygame-ce", "draw", "raster pictures")
-        self._pygame.font.init()
         self._frame = frame
         self._zoom = frame.zoom
         self._scale = frame.scale * frame.zoom
@@ -83,8 +80,7 @@ class RasterPainter:
             for ink, colour in THEMES[theme].inks.items()
         }
         self._kept: dict[Hashable, list[Patch]] = {}
-        self._words = lru_cache(maxsize=512)(self._rendered)
-        self._font = lru_cache(maxsize=64)(self._loaded)
+        self._letters = Letters()
         self._mixed = lru_cache(maxsize=1024)(self._mixture)
 
     # -- the painter's calls ---------------------------------------------------------------------------------------
@@ -178,7 +174,8 @@ class RasterPainter:
     def text(self, position: Vector, words: str, lettering: Lettering) -> None:
         """Write one line of words."""
         x, y = self._pixel(*position)
-        letters, ascent = self._words(words, lettering.size, lettering.ink)
+        pixels, colour = lettering.size * self._zoom, self._inks[lettering.ink]
+        letters, ascent = self._letters.surface(words, pixels, colour, bold=lettering.bold)
         shift = {"start": 0.0, "middle": 0.5, "end": 1.0}[lettering.anchor]
         self.surface.blit(letters, (round(x - shift * letters.get_width()), round(y - ascent)))
 
@@ -319,20 +316,6 @@ class RasterPainter:
         above, below = self._inks[ink], self._inks[GROUND]
         red, green, blue = (round(opacity * a + (1.0 - opacity) * b) for a, b in zip(above, below, strict=True))
         return red, green, blue
-
-    def _rendered(self, words: str, size: float, ink: str) -> tuple[Any, int]:
-        """Words as a surface, and the pixels from its upper edge to their baseline."""
-        font = self._font(max(1, round(FINER_LETTERS * size * self._zoom)))
-        letters = font.render(printable(words), True, self._inks[ink])
-        width, height = (-(-side // FINER_LETTERS) for side in letters.get_size())
-        large = self._pygame.Surface((FINER_LETTERS * width, FINER_LETTERS * height), self._pygame.SRCALPHA)
-        large.fill((*self._inks[ink], 0))
-        large.blit(letters, (0, 0))
-        return self._pygame.transform.smoothscale(large, (width, height)), round(font.get_ascent() / FINER_LETTERS)
-
-    def _loaded(self, pixels: int) -> Any:
-        """The font that pygame brings, its letters of some height."""
-        return self._pygame.font.Font(self._pygame.font.get_default_font(), pixels)
 
 
 def dashes(start: Vector, end: Vector, dash: Sequence[float], zoom: float) -> list[tuple[Vector, Vector]]:

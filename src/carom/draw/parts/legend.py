@@ -208,6 +208,11 @@ def remarks(
     return tuple(lines)
 
 
+def unnamed(left_out: int) -> tuple[str, ...]:
+    """The line on names that found no room, if there are such; it is short enough for the panel."""
+    return (f"{left_out:,} {'name has' if left_out == 1 else 'names have'} no room.",) if left_out else ()
+
+
 def seconds(time: float) -> str:
     """A time to the hundredth of a second, in one word."""
     return f"{time:,.2f}".rstrip("0").rstrip(".") + "\N{NO-BREAK SPACE}s"

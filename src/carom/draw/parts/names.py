@@ -2,119 +2,108 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from carom.draw.paint.painter import Lettering, Style
+from carom.draw.parts.labels import Labels, Wish, placed
 from carom.draw.parts.outlines import anchor
-from carom.draw.parts.panel import CHARACTER_WIDTH
+from carom.draw.parts.widths import widest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Mapping
 
-    from carom.draw.paint.painter import Painter, Vector
+    from carom.draw.paint.painter import Painter
     from carom.draw.parts.frame import Frame
-    from carom.draw.parts.moment import Drawn
+    from carom.draw.parts.labels import Box, Boxes, Label, Place
+    from carom.draw.parts.moment import Balls, Drawn
     from carom.draw.picture import Picture
     from carom.shapes.shape import Shape
 
-    #: Left, top, right and bottom, in pixels.
-    Box: TypeAlias = tuple[float, float, float, float]
-
 LABEL = Lettering("text", 11.0, anchor="middle")
 GROUND = Style(fill="stage", opacity=0.85)
-#: Pixels around the letters that belong to a label, and between it and what it names.
-AROUND, GAP = 2.0, 5.0
+LEADER = Style("muted", width=1.0)
+#: Pixels around the letters that belong to a label, and that are kept clear around a shape's place.
+AROUND, CLEAR = 2.0, 3.0
 #: Places that a name may stand at, at most.
 MOST_PLACES = 8
-#: What a character is wide, in heights of a letter, at most times: a label is to be wider than its letters.
-WIDE = 1.08 * CHARACTER_WIDTH
+#: Among more balls than this labels stand where they will.
+MOST_BALLS = 500
 
 
-def draw_shape_names(painter: Painter, picture: Picture) -> None:
-    """Write the names of the shapes that never change."""
-    for words, box in placed(picture.frame, shape_wishes(picture, picture.still), []):
-        label_mark(painter, picture.frame, words, box)
+def draw_names(painter: Painter, picture: Picture) -> None:
+    """Write the names of shapes and of balls: those of what stays where they are kept, the others beside them."""
+    moving = moving_labels(picture)
+    labels = (*picture.labels.found, *moving.found)
+    for label in labels:
+        if label.leader is not None:
+            start, end = label.leader
+            painter.segment(picture.frame.world(*start), picture.frame.world(*end), LEADER)
+    for label in labels:
+        label_mark(painter, picture.frame, label)
 
 
-def draw_moving_names(painter: Painter, picture: Picture) -> None:
-    """Write the names of all other shapes and of the balls, beside those that are written already."""
-    frame, balls = picture.frame, picture.moment.balls
-    taken = [box for _, box in placed(frame, shape_wishes(picture, picture.still), [])]
-    wishes = list(shape_wishes(picture, picture.moment.moving))
-    for center, radius, ball in zip(balls.centers.tolist(), balls.radii.tolist(), balls.ids.tolist(), strict=True):
-        if ball in picture.names and frame.shows(*center):
-            wishes.append((picture.names[ball], [(frame.pixel(*center), radius * frame.scale)]))
-    for words, box in placed(frame, wishes, taken):
-        label_mark(painter, frame, words, box)
+def still_labels(frame: Frame, names: Mapping[int, str], still: Iterable[Drawn], balls: Balls) -> Labels:
+    """The names of the shapes that never change, which keep off the balls as they are at one time."""
+    return placed(tuple(shape_wishes(frame, names, still)), stage_box(frame), ball_boxes(frame, balls))
 
 
-def label_mark(painter: Painter, frame: Frame, words: str, box: Box) -> None:
-    """Write a label into a box, on a ground that keeps it apart from what is below."""
-    left, top, right, bottom = box
+def moving_labels(picture: Picture) -> Labels:
+    """The names of all other shapes and of the balls at a picture's moment."""
+    frame, moment = picture.frame, picture.moment
+    balls = ball_boxes(frame, moment.balls)
+    wishes = (*shape_wishes(frame, picture.names, moment.moving), *ball_wishes(frame, picture.names, moment.balls))
+    return placed(wishes, stage_box(frame), balls, picture.labels.boxes())
+
+
+def stage_box(frame: Frame) -> Box:
+    """The stage, in pixels."""
+    stage = frame.stage
+    return (*frame.pixel(stage.left, stage.top), *frame.pixel(stage.right, stage.bottom))
+
+
+def ball_boxes(frame: Frame, balls: Balls) -> Boxes:
+    """The boxes of the balls in pixels, (n, 4); none where there are more than `MOST_BALLS`."""
+    if len(balls.ids) > MOST_BALLS:
+        return np.zeros((0, 4))
+    x, y = frame.pixel(*balls.centers.T)
+    radii = balls.radii * frame.scale
+    return np.column_stack((x - radii, y - radii, x + radii, y + radii))
+
+
+def label_mark(painter: Painter, frame: Frame, label: Label) -> None:
+    """Write a label into its box, on a ground that keeps it apart from what is below."""
+    left, top, right, bottom = label.box
     corners = ((left, bottom), (right, bottom), (right, top), (left, top))
     painter.polyline(np.array([frame.world(*corner) for corner in corners]), GROUND)
-    painter.text(frame.world(0.5 * (left + right), bottom - AROUND - 0.2 * LABEL.size), words, LABEL)
+    painter.text(frame.world(0.5 * (left + right), bottom - AROUND - 0.2 * LABEL.size), label.words, LABEL)
 
 
-def shape_wishes(picture: Picture, shapes: Iterable[Drawn]) -> Iterator[tuple[str, list[tuple[Vector, float]]]]:
-    """Each name among some shapes, with the places (and the pixels to keep off them) that it may stand at.
+def wish(words: str, places: Iterable[Place]) -> Wish:
+    """The wish that words stand at one of some places."""
+    return Wish(words, LABEL.size * widest(words) + 2.0 * AROUND, LABEL.size + 2.0 * AROUND, tuple(places))
 
-    Shapes of one name share a label.
-    """
+
+def ball_wishes(frame: Frame, names: Mapping[int, str], balls: Balls) -> Iterator[Wish]:
+    """The names of the balls that are on the stage."""
+    for center, radius, ball in zip(balls.centers.tolist(), balls.radii.tolist(), balls.ids.tolist(), strict=True):
+        if ball in names and frame.shows(*center):
+            yield wish(names[ball], [(frame.pixel(*center), radius * frame.scale)])
+
+
+def shape_wishes(frame: Frame, names: Mapping[int, str], shapes: Iterable[Drawn]) -> Iterator[Wish]:
+    """Each name among some shapes, with the places that it may stand at; shapes of one name share a label."""
     groups: dict[str, list[Shape]] = {}
     for drawn in shapes:
-        if drawn.id in picture.names:
-            groups.setdefault(picture.names[drawn.id], []).append(drawn.shape)
+        if drawn.id in names:
+            groups.setdefault(names[drawn.id], []).append(drawn.shape)
     for name, members in groups.items():
-        places = [(picture.frame.pixel(*anchor(shape)), 3.0) for shape in members[:MOST_PLACES]]
-        yield shared_label(name, members), places
+        places = ((frame.pixel(*anchor(shape)), CLEAR) for shape in members[:MOST_PLACES])
+        yield wish(shared_label(name, members), places)
 
 
 def shared_label(name: str, members: Iterable[Shape]) -> str:
     """The words for all shapes of one name: it, and how many there are, the parts of a compound or group being one."""
     count = len({id(shape.compound or shape.group or shape) for shape in members})
     return name if count == 1 else f"{name} \N{MULTIPLICATION SIGN} {count}"
-
-
-def placed(
-    frame: Frame, wishes: Iterable[tuple[str, list[tuple[Vector, float]]]], taken: list[Box]
-) -> list[tuple[str, Box]]:
-    """The labels that have room, each with its box: on the stage, and over none of the boxes that are `taken`."""
-    left, top = frame.pixel(frame.stage.left, frame.stage.top)
-    right, bottom = frame.pixel(frame.stage.right, frame.stage.bottom)
-    found: list[tuple[str, Box]] = []
-    occupied = list(taken)
-    for words, places in wishes:
-        width, height = WIDE * LABEL.size * len(words) + 2.0 * AROUND, LABEL.size + 2.0 * AROUND
-        for box in candidates(places, width, height):
-            inside = left <= box[0] and top <= box[1] and box[2] <= right and box[3] <= bottom
-            if inside and not any(overlap(box, other) for other in occupied):
-                occupied.append(box)
-                found.append((words, box))
-                break
-    return found
-
-
-def candidates(places: list[tuple[Vector, float]], width: float, height: float) -> Iterator[Box]:
-    """The boxes that a label may fill: above, below, right and left of each place."""
-    for (x, y), clearance in places:
-        off = clearance + GAP
-        for middle_x, middle_y in (
-            (x, y - off - 0.5 * height),
-            (x, y + off + 0.5 * height),
-            (x + off + 0.5 * width, y),
-            (x - off - 0.5 * width, y),
-        ):
-            yield (
-                middle_x - 0.5 * width,
-                middle_y - 0.5 * height,
-                middle_x + 0.5 * width,
-                middle_y + 0.5 * height,
-            )
-
-
-def overlap(one: Box, other: Box) -> bool:
-    """Whether two boxes have more than an edge in common."""
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]

@@ -240,6 +240,7 @@ class Page {
     const began = performance.now();
     const { time, playing } = this.player;
     this.stage.draw(time);
+    this.layers.tellUnnamed();
     this.timeline.show(time);
     this.showHits(time, playing ? now : Infinity);
     element("time").textContent = time.toFixed(this.digits);

@@ -165,6 +165,7 @@ class LayersPanel {
     box.checked = layer.on;
     box.addEventListener("change", () => this.turn(layer.name, box.checked));
     label.append(make("span", "knob"), make("span", "label", layer.name));
+    if (layer.name === "names") this.unnamed = label.appendChild(make("span", "quiet"));
     for (const sample of samples) this.addSample(label, sample);
   }
 
@@ -180,6 +181,13 @@ class LayersPanel {
     else this.stage.shown.delete(name);
     this.stage.stale = true;
     this.changed();
+  }
+
+  /** Says how many names have no room in the picture as it is, and would have some from nearer. */
+  tellUnnamed() {
+    const { shown, names } = this.stage;
+    const words = shown.has("names") && names.leftOut ? `${plural(names.leftOut, "name")} without room` : "";
+    if (this.unnamed.textContent !== words) this.unnamed.textContent = words;
   }
 
   /** Draws the samples in the colours of the theme. */

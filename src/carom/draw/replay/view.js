@@ -20,9 +20,9 @@ class View {
     const across = Math.max(1, width - 2 * AROUND) / (right - left);
     const along = Math.max(1, height - 2 * AROUND) / (top - bottom);
     this.fitted = Math.min(across, along);
-    // Lines and dots are meant for stages of the usual size; on smaller ones they are finer.
+    // Lines, dots and names are meant for stages of the usual size; on smaller ones they are finer, on larger ones larger.
     const longer = this.fitted * Math.max(right - left, top - bottom);
-    this.marks = Math.min(1, Math.max(0.55, longer / this.usualSize));
+    this.marks = Math.min(2, Math.max(0.55, longer / this.usualSize));
   }
 
   /** Shows all of the stage. */

@@ -33,6 +33,21 @@ def test_a_film_plays_as_long_as_the_run_took(tmp_path: Path, recording: carom.R
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.slow
+def test_films_of_one_size_follow_each_other(tmp_path: Path, recording: carom.Recording) -> None:
+    films = [draw.Film(recording, size=(97, 64), theme=theme) for theme in (draw.ThemeName.DARK, draw.ThemeName.LIGHT)]
+    told: list[tuple[int, int]] = []
+    write_film(films, tmp_path / "runs.mp4", lambda done, total: told.append((done, total)))
+    assert seconds_in(tmp_path / "runs.mp4") == pytest.approx(2 * 61 / 60, abs=0.03)
+    assert told[-1] == (122, 122)
+    write_film(films, tmp_path / "runs.gif")
+    assert seconds_in(tmp_path / "runs.gif") == pytest.approx(2 * 21 / 20, abs=0.05)
+    other = draw.Film(recording, size=(99, 64))
+    for wrong in ([films[0], other], []):
+        with pytest.raises(carom.InvalidArgument, match="film must be one or several of the same size"):
+            write_film(wrong, tmp_path / "runs.mp4")
+
+
 def test_each_frame_is_shown_at_its_time(recording: carom.Recording) -> None:
     film = draw.Film(recording, size=97)
     assert frames_of(film, 60) == list(range(61))

@@ -8,9 +8,9 @@ from carom.draw import Layer
 from carom.draw.page.painter import PagePainter
 from carom.draw.parts.cells import Cell
 from carom.draw.parts.frame import Frame
-from carom.draw.parts.legend import ENTRIES, facts, legend, remarks, seconds
+from carom.draw.parts.legend import ENTRIES, facts, legend, remarks, seconds, unnamed
 from carom.draw.parts.looks import LOOKS, SENSOR, WALL
-from carom.draw.parts.panel import GLYPH_WIDTH
+from carom.draw.parts.panel import GLYPH_WIDTH, NOTE, broken
 from carom.shapes.aabb import Aabb
 from tests.unit.draw.svg_marks import fallen, root_of, words_in
 from tests.worlds import world_of
@@ -84,3 +84,9 @@ def test_facts_are_of_the_world_or_of_its_run() -> None:
     trace.bounces = 12_345
     world.step(0.5)
     assert facts(world, trace) == (("time", "0.5\N{NO-BREAK SPACE}s"), ("balls", "1"), ("hits", "12,345"))
+
+
+def test_names_without_room_are_counted_in_a_line_of_the_panel() -> None:
+    assert unnamed(0) == ()
+    assert unnamed(1) == ("1 name has no room.",)
+    assert broken(unnamed(12_345)[0], NOTE) == ["12,345 names have no room."]
