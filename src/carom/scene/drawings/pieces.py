@@ -170,10 +170,18 @@ Piece: TypeAlias = Straight | Conic | Cubic | Course
 
 
 def is_bare(piece: Piece, length: float) -> bool:
-    """Whether a piece is no more than a place: no part of it farther than about a `length` from its start."""
+    """Whether a piece is no more than a place: no part of it farther than about a `length` from its start.
+
+    A whole ellipse is only that where a transform has left it no area.
+    """
     x, y = piece.start
     if isinstance(piece, Straight):
         return abs(piece.end[0] - x) <= length and abs(piece.end[1] - y) <= length
     if isinstance(piece, Conic) and piece.whole:
-        return False
+        return piece.u[0] * piece.v[1] == piece.u[1] * piece.v[0]
     return all(hypot(px - x, py - y) <= length for px, py in piece.points())
+
+
+def is_nothing(outlines: list[list[Piece]]) -> bool:
+    """Whether outlines draw nothing at all: none of their pieces is more than a place."""
+    return all(is_bare(piece, 0.0) for outline in outlines for piece in outline)

@@ -52,6 +52,7 @@ class Shaper:
         """Make the descriptors of a body."""
         try:
             if body.parts is not None:
+                self._refuse_balls(body, body.parts)
                 self._add_compound(body, [part for below in body.parts for part in self._parts_of(below)])
             elif body.options.get("ball"):
                 self.balls += self._parts_of(body)
@@ -87,6 +88,13 @@ class Shaper:
             self.shapes.append(CompoundDescriptor(name=body.name, shapes=tuple(parts), **moving))
         except ValidationError as error:
             raise self._refused(body, error) from None
+
+    def _refuse_balls(self, body: Body, parts: list[Body]) -> None:
+        """Raise for balls in a group that turns about a pivot."""
+        for part in parts:
+            if part.options.get("ball"):
+                words = f"{part.written['ball']}: a ball is no part of what moves as one; move it out of {body.where}"
+                raise _Refused(part.where, words)
 
     def _parts_of(self, body: Body) -> list[Descriptor]:
         """The descriptors of a body's pieces."""
@@ -176,8 +184,18 @@ class Shaper:
         told = []
         for words in found.first:
             key, mark, rest = words.partition(":")
-            told.append(f"{body.written[key]}:{rest}" if mark and key in body.written else words)
+            told.append(f"{body.written[key]}:{rest}{_remedy(body, key)}" if mark and key in body.written else words)
         return _Refused(body.where, *told)
+
+
+def _remedy(body: Body, key: str) -> str:
+    """What may be missing where an option that moves a shape is refused: what makes it a ball, or turns its group."""
+    if key not in keywords.MOVING or not body.options.keys().isdisjoint({"ball", "motion", "pivot"}):
+        return ""
+    if key not in body.own:
+        return f'; what moves as one needs {keywords.PREFIX}pivot="10 20", or in it a circle labelled pivot'
+    circle = len(body.outlines) == 1 and all(isinstance(piece, Conic) and piece.whole for piece in body.outlines[0])
+    return f'; a ball says {keywords.PREFIX}ball="", or ball=true in its label' if circle and key == "velocity" else ""
 
 
 class _Refused(Exception):

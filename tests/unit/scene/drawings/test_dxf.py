@@ -95,9 +95,10 @@ def test_hidden_layers_are_no_bodies_and_the_rest_is_listed_once(tmp_path: Path)
         space.add_line((0, 0), (2, 1))
         space.add_text("a")
         space.add_text("b")
+        space.add_circle((1, 1), 0.0)
         document.layers.get("walls").off()
 
-    with pytest.warns(carom.errors.DrawingWarning, match=r"left out: text \(2\)$"):
+    with pytest.warns(carom.errors.DrawingWarning, match=r"left out: text \(2\), circle without a size \(1\)$"):
         scene = carom.Scene.load(saved(tmp_path, draw))
     assert [one.end for one in scene.shapes] == [(2.0, 1.0)]
 
@@ -117,8 +118,11 @@ def test_mistakes_name_the_entity_and_its_line(tmp_path: Path) -> None:
     said = said_of(path)
     assert "CIRCLE on layer 'bumper' (handle " in said
     assert "CAROM kik: is unknown; did you mean kick?" in said
-    line = int(said.partition("line ")[2].partition(")")[0])
-    assert path.read_text().split("\n")[line - 1].strip() == "5"
+
+    def spaced(_: Any, space: Any) -> None:
+        space.add_circle((3, 3), 1).set_xdata("CAROM", [(1000, "kick = 4")])
+
+    assert "): CAROM: 'kick = 4': options stand at the end" in said_of(saved(tmp_path, spaced))
 
 
 def nested(document: Any, space: Any) -> None:
