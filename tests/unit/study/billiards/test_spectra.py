@@ -99,6 +99,17 @@ def test_an_ellipse_of_arcs_comes_to_zero_with_its_tolerance() -> None:
     assert abs(fine.spectrum[0]) < 2.0 * fine.error[0]
 
 
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_an_ellipse_of_arcs_has_hardly_any_chaos_in_long_runs_either() -> None:
+    coarse, fine = (study.lyapunov(scenes.ellipse(tolerance=t), n=40, hits=1000, seed=1) for t in (1e-5, 1e-9))
+    assert coarse.spectrum[0] > 5.0 * coarse.error[0]
+    assert fine.spectrum[0] < 0.5 * coarse.spectrum[0]
+    # A stadium of about its size has .21 a second.
+    stadium = study.lyapunov("stadium", n=40, hits=1000, seed=1).spectrum[0]
+    assert fine.spectrum[0] < 0.05 * stadium
+
+
 @pytest.mark.parametrize(
     ("given", "told"),
     [
