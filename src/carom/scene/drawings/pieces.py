@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin
+from math import cos, dist, hypot, pi, sin
 from typing import TypeAlias
 
 Vector: TypeAlias = tuple[float, float]
@@ -185,3 +185,17 @@ def is_bare(piece: Piece, length: float) -> bool:
 def is_nothing(outlines: list[list[Piece]]) -> bool:
     """Whether outlines draw nothing at all: none of their pieces is more than a place."""
     return all(is_bare(piece, 0.0) for outline in outlines for piece in outline)
+
+
+def arcs_of(piece: Piece, tolerance: float) -> float:
+    """About how many arcs stand for a piece within a tolerance; 0 of what is straight or round.
+
+    An arc deviates by the cube of its length, so they are as many as the root of the curve's length in tolerances.
+    """
+    if isinstance(piece, Straight) or (isinstance(piece, Conic) and piece.round):
+        return 0.0
+    points = piece.points()
+    length = sum(map(dist, points, points[1:]))
+    if isinstance(piece, Conic) and piece.whole:
+        length *= pi
+    return 1.0 + 0.6 * float((length / tolerance) ** (1.0 / 3.0))

@@ -19,8 +19,8 @@ from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.joints import joined, size_of, smoothed
-from carom.scene.drawings.limits import FARTHEST
-from carom.scene.drawings.pieces import Piece, is_bare
+from carom.scene.drawings.limits import FARTHEST, MOST_ARCS
+from carom.scene.drawings.pieces import Piece, arcs_of, is_bare
 from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
 
@@ -74,6 +74,8 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     if size > 0.0 and used <= 0.0:
         faults.add_words(str(drawing.where), f"data-carom-tolerance: must be positive, not {used}")
         used = TOLERANCE * size
+    if used > 0.0:
+        _refuse_many(bodies, used)
     _join([body for body in drawing.bodies if body.parts is None], used)
     for body in drawing.bodies:
         if body.parts:
@@ -115,6 +117,18 @@ def _refuse_far(bodies: list[Body], faults: Faults) -> NoReturn:
             faults.add_words(str(body.where), f"is too large: a drawing may be at most {FARTHEST:g} wide and high")
     faults.add_words("the drawing", f"is too large: it may be at most {FARTHEST:g} wide and high")
     raise faults.error()
+
+
+def _refuse_many(bodies: list[Body], tolerance: float) -> None:
+    """Raise where curves would become too many arcs: at the body with the one that is too many."""
+    arcs = 0.0
+    for body in bodies:
+        arcs += sum(arcs_of(piece, tolerance) for outline in body.outlines for piece in outline)
+        if arcs > MOST_ARCS:
+            raise SceneError(
+                f"{body.where}: the curves up to here need more than {MOST_ARCS} arcs at a tolerance of "
+                f"{tolerance:.3g}: a drawing may have no more, and a larger tolerance needs fewer"
+            )
 
 
 def _tell(path: str | os.PathLike[str], drawing: Drawing) -> None:

@@ -17,7 +17,6 @@ from carom.scene.descriptors import BallDescriptor
 from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body
 from carom.scene.drawings.curves import fitted
-from carom.scene.drawings.limits import MOST_CURVES
 from carom.scene.drawings.pieces import Conic, Piece, Straight, Vector
 from carom.scene.faults import Faults
 from carom.scene.shape_descriptors import CompoundDescriptor, GateDescriptor
@@ -45,7 +44,6 @@ class Shaper:
         self.balls: list[Descriptor] = []
         self._faults = faults
         self._tolerance = tolerance
-        self._curves = 0
         self._samples: dict[Any, Descriptor] = {}
 
     def add(self, body: Body) -> None:
@@ -137,9 +135,6 @@ class Shaper:
         if isinstance(piece, Straight):
             return [("segment", {"start": piece.start, "end": piece.end})]
         if not isinstance(piece, Conic) or not piece.round:
-            self._curves += 1
-            if self._curves > MOST_CURVES:
-                raise InvalidArgument(f"is a curve too many: a drawing may have at most {MOST_CURVES}")
             return fitted(piece, self._tolerance)
         if piece.whole:
             return [("circle", {"center": piece.center, "radius": piece.radius, "solid": filled})]
