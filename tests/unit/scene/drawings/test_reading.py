@@ -70,6 +70,13 @@ def test_a_picture_of_a_scene_is_that_scene(tmp_path: Path) -> None:
     assert repr(loaded(tmp_path, text)) == repr(scene)
 
 
+def test_a_picture_of_a_run_is_no_drawing(tmp_path: Path) -> None:
+    run = carom.Recording.of(carom.scenes.newtons_cradle().build(), seconds=0.1)
+    for theme in draw.ThemeName:
+        with pytest.raises(carom.SceneError, match=r"<svg> \(line 1\): is a picture of a run, which keeps no scene"):
+            loaded(tmp_path, draw.svg(draw.picture_at(run, 3), theme))
+
+
 def test_files_that_cannot_be_read_say_why(tmp_path: Path) -> None:
     for name, said in (("none.svg", "cannot be read: No such file"), ("folder.svg", "cannot be read: Is a directory")):
         (tmp_path / "folder.svg").mkdir(exist_ok=True)
