@@ -121,7 +121,7 @@ def test_a_hundred_thousand_curves_are_let_through_and_refused_at_once_where_the
 ) -> None:
     body = Body("", None, {}, outlines=[[Cubic((0.0, 0.0), (3.0, 1.0), (5.0, -1.0), (8.0, 0.0))]])
     reading._refuse_many([body] * 100_000, 3.0)
-    with within(2.0), pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
+    with within(1.0), pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
         reading._refuse_many([body] * 100_000, 3e-3)
 
 

@@ -249,7 +249,7 @@ def test_what_draws_nothing_is_listed(tmp_path: Path, inside: str, told: str) ->
     ],
 )
 def test_hostile_drawings_are_refused_within_a_second(tmp_path: Path, inside: str, said: str) -> None:
-    with within(2.0):
+    with within(1.0):
         assert said in refusal(tmp_path, inside)
 
 
