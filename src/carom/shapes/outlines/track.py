@@ -149,14 +149,19 @@ def _smooth_parts(cubic: Cubic) -> Iterator[tuple[Cubic, complex, complex]]:
 
 def _is_brisk(cubic: Cubic) -> bool:
     """Whether a cubic is sure to have no tip: its slope, thrice a mean of its legs, is far from 0 wherever it is."""
-    legs = cubic.b - cubic.a, cubic.c - cubic.b, cubic.d - cubic.c
-    sides = tuple(zip(legs, (*legs[1:], legs[0]), strict=True))
-    turns = [cross(leg, after) for leg, after in sides]
-    if min(turns) >= 0.0 or max(turns) <= 0.0:  # 0 may be a mean of them
-        return False
-    least = 2.9 * min(_nearest(leg, after) for leg, after in sides)
-    bend = 6.0 * max(abs(legs[1] - legs[0]), abs(legs[2] - legs[1]))
-    return least > STILL * cubic.size() and least * least > TIP_RADIUS * bend
+    a, b, c, d = cubic
+    first, second, third, chord = b - a, c - b, d - c, d - a
+    long = abs(chord)
+    # Of a curve that goes on along its chord it is quick to tell.
+    least = min(dot(first, chord), dot(second, chord), dot(third, chord)) / long if long > 0.0 else 0.0
+    if least <= 0.0:
+        turns = cross(first, second), cross(second, third), cross(third, first)
+        if min(turns) >= 0.0 or max(turns) <= 0.0:  # 0 may be a mean of them
+            return False
+        least = min(_nearest(first, second), _nearest(second, third), _nearest(third, first))
+    speed = 2.9 * least
+    bend = 6.0 * max(abs(second - first), abs(third - second))
+    return speed > STILL * cubic.size() and speed * speed > TIP_RADIUS * bend
 
 
 def _nearest(start: complex, end: complex) -> float:
