@@ -122,8 +122,11 @@ class DxfReader:
         said = [(f"layer {key}", key, text) for key, text in labelled]
         if entity.has_xdata(APPLICATION):
             lines = [str(tag.value) for tag in entity.get_xdata(APPLICATION) if tag.code == 1000]
-            listed = [pair for line in lines for pair in keywords.labelled(APPLICATION, line)[1]]
-            said += [(f"{APPLICATION} {key}", key, text) for key, text in listed]
+            for line in lines:
+                words, listed = keywords.labelled(APPLICATION, line)
+                if words:
+                    raise ValueError(f"{APPLICATION}: {words[:60]!r}: {keywords.WRITTEN}")
+                said += [(f"{APPLICATION} {key}", key, text) for key, text in listed]
         options: dict[str, Any] = {}
         written: dict[str, str] = {}
         for place, key, text in said:
@@ -182,6 +185,8 @@ class DxfReader:
             self._drawing.left_out[f"{kind.lower()} in space"] += 1
             return
         if is_nothing(outlines):
+            if written:
+                raise ValueError("draws nothing: it needs a size")
             self._drawing.left_out[f"{kind.lower()} without a size"] += 1
             return
         filled = kind == "CIRCLE" and disc(outlines[0][0]) in self._discs

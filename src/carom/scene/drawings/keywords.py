@@ -42,7 +42,7 @@ _WORLD = {name: field.annotation for name, field in WorldDescriptor.model_fields
 _WORD = re.compile(r'([A-Za-z_][\w-]*)=("[^"]*"|\S*)|(\S+)')
 #: An option as somebody may write it who has forgotten how.
 _SLIP = re.compile(r"([A-Za-z_][\w-]*)(?:\s+=|:\s*(?=[-+.\d]))\s*\S+")
-_WRITTEN = 'options stand at the end, without blanks: kick=4 velocity=3,4 name="two words"'
+WRITTEN = 'options stand at the end, without blanks: kick=4 velocity=3,4 name="two words"'
 _TRUE, _FALSE = ("true", "yes", "on", "1", ""), ("false", "no", "off", "0")
 
 
@@ -68,12 +68,12 @@ def label(text: str) -> tuple[str, list[tuple[str, str]]]:
             options.append((key, value.strip('"')))
         elif options:
             last = options[-1][0]
-            raise ValueError(f"{word[:60]!r} after {last}=: {_WRITTEN}")
+            raise ValueError(f"{word[:60]!r} after {last}=: {WRITTEN}")
         else:
             words.append(word)
     slip = _SLIP.search(text) if not options else None
     if slip and slip[1].replace("-", "_") in _FIELDS:
-        raise ValueError(f"{slip[0][:60]!r}: {_WRITTEN}")
+        raise ValueError(f"{slip[0][:60]!r}: {WRITTEN}")
     return (" ".join(words), options) if options else (text.strip(), [])
 
 

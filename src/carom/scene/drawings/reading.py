@@ -7,6 +7,7 @@ import os
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from math import isnan
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
@@ -111,11 +112,15 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str]) -> dict[str, Any]
 
 
 def _refuse_far(bodies: list[Body], faults: Faults) -> NoReturn:
-    """Raise for the bodies that are too large for a scene."""
+    """Raise for the bodies that are too large for a scene, or have places that are no numbers."""
+    large = f"is too large: a drawing may be at most {FARTHEST:g} wide and high"
+    before = faults.count
     for body in bodies:
-        if not size_of(body.outlines) <= FARTHEST:
-            faults.add_words(str(body.where), f"is too large: a drawing may be at most {FARTHEST:g} wide and high")
-    faults.add_words("the drawing", f"is too large: it may be at most {FARTHEST:g} wide and high")
+        size = size_of(body.outlines)
+        if not size <= FARTHEST:
+            faults.add_words(str(body.where), "has a coordinate that is no number" if isnan(size) else large)
+    if faults.count == before:
+        faults.add_words("the drawing", large)
     raise faults.error()
 
 

@@ -73,7 +73,7 @@ class Shaper:
         else:
             raise _Refused(
                 body.where,
-                f'{body.written[min(moving)]}: needs a pivot too, such as {keywords.PREFIX}pivot="10 20", for it is '
+                f"{body.written[min(moving)]}: needs a pivot too, such as {_as_in(body, 'pivot', '10 20')}, for it is "
                 f"{len(made)} pieces that move as one",
             )
 
@@ -188,9 +188,15 @@ def _remedy(body: Body, key: str) -> str:
     if key not in keywords.MOVING or not body.options.keys().isdisjoint({"ball", "motion", "pivot"}):
         return ""
     if key not in body.own:
-        return f'; what moves as one needs {keywords.PREFIX}pivot="10 20", or in it a circle labelled pivot'
+        return f"; what moves as one needs {_as_in(body, 'pivot', '10 20')}, or in it a circle labelled pivot"
     circle = len(body.outlines) == 1 and all(isinstance(piece, Conic) and piece.whole for piece in body.outlines[0])
-    return f'; a ball says {keywords.PREFIX}ball="", or ball=true in its label' if circle and key == "velocity" else ""
+    return f"; a ball says {_as_in(body, 'ball', 'true')}" if circle and key == "velocity" else ""
+
+
+def _as_in(body: Body, key: str, text: str) -> str:
+    """An option as a body's drawing would write it: as an attribute, or as a word of a label or of extended data."""
+    attribute = any(place.startswith(keywords.PREFIX) for place in body.written.values())
+    return f'{keywords.PREFIX}{key}="{text}"' if attribute else f"{key}={text.replace(' ', ',')}"
 
 
 class _Refused(Exception):

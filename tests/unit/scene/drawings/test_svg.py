@@ -197,7 +197,7 @@ def test_every_mistake_names_the_element_and_what_would_be_right(tmp_path: Path)
         ),
         (
             '<circle id="a" r="3" inkscape:label="cue velocity=3,4"/>',
-            "label velocity: must not be set unless motion is 'kinematic', not (3.0, 4.0); a ball says data-carom",
+            "label velocity: must not be set unless motion is 'kinematic', not (3.0, 4.0); a ball says ball=true",
         ),
         ('<circle id="a" data-carom-ball=""/>', '<circle id="a"> (line 2): draws nothing: it needs r above 0'),
         (
