@@ -56,6 +56,9 @@ def test_most_curves_are_brisk_and_none_with_a_cusp() -> None:
     assert _is_brisk(BOW)
     assert not _is_brisk(Cubic(0j, 1 + 1j, 0 + 1j, 1 + 0j))
     assert not _is_brisk(Cubic(0j, 1 + 0j, 2 + 0j, 1 + 0j))
+    for short in (0.0, 1e-10, 1e-13):  # it hardly moves at its start, or turns there within no radius to speak of
+        assert not _is_brisk(Cubic(0j, short + 0j, 1 + 0.1j, 2 + 0j))
+        assert not _is_brisk(Cubic(0j, -1 + 0j, 1 + 1j, 1 + 1j + short))
 
 
 def test_a_point_is_no_run() -> None:

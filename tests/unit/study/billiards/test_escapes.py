@@ -43,20 +43,28 @@ def test_in_a_round_room_orbits_escape_when_a_turn_by_their_chord_comes_to_the_h
 
 
 def test_who_has_left_is_followed_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    hits = []
+    parts = []
     run = ensembles.Batch.run
 
-    def counted(self: ensembles.Batch, seconds: float) -> carom.Hits:
+    def noted(self: ensembles.Batch, seconds: float) -> carom.Hits:
+        began = self.world.time
         found = run(self, seconds)
-        hits.append(len(found))
+        parts.append((began, set(self.numbers(found).tolist())))
         return found
 
-    monkeypatch.setattr(ensembles.Batch, "run", counted)
-    table = study.table("circle")
-    half = study.escape(table, (0.0, 0.5 * table.perimeter), n=20, seconds=400.0, seed=1)
-    assert (half.times < 400.0).all()
-    assert sum(hits) < 400  # twenty orbits of a hundred hits or more
-    assert len(hits) < escapes.PARTS
+    monkeypatch.setattr(ensembles.Batch, "run", noted)
+    # A hole in the floor; those that go nearly straight beside it, or from side to side, stay long.
+    table = study.table(scenes.rectangle(4.0, 2.0))
+    found = study.escape(table, (0.1, 1.9), n=20, seconds=400.0, seed=1)
+    left = {orbit for orbit, time in enumerate(found.times) if time < 100.0}
+    assert len(left) > 10
+    assert 3 < len(parts) < escapes.PARTS  # the last one has left by then
+    for began, met in parts:
+        assert all(found.times[orbit] >= began for orbit in met)
+    parts.clear()
+    everywhere = study.escape(table, (0.0, table.perimeter), n=20, seconds=400.0, seed=1)
+    assert (everywhere.times < 20.0).all()
+    assert len(parts) == 1
 
 
 @pytest.mark.slow
