@@ -25,7 +25,7 @@ SCALED = 50
 #: The planes of the four coordinates of a change.
 PLANES = tuple(combinations(range(4), 2))
 
-#: Numbers of balls, and what is told of each of some hits, as lists: loops over these are quick.
+# Numbers of balls, and what is told of each of some hits, as lists: loops over these are quick.
 Places: TypeAlias = list[int]
 Column: TypeAlias = list[float]
 
