@@ -87,8 +87,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     world = _world(drawing)
     if faults.count:
         raise faults.error()
-    if drawing.left_out:
-        _tell(path, drawing)
+    _tell(path, drawing, empty=not (shaper.shapes or shaper.balls))
     lists = {"shapes": tuple(shaper.shapes), "balls": tuple(shaper.balls)}
     return Reading({"guard": True, **scene, "world": world}, lists, used)
 
@@ -136,10 +135,14 @@ def _refuse_many(bodies: list[Body], tolerance: float) -> None:
             )
 
 
-def _tell(path: str | os.PathLike[str], drawing: Drawing) -> None:
-    """Warn of what was left out, all of it in one line, the most frequent first."""
+def _tell(path: str | os.PathLike[str], drawing: Drawing, *, empty: bool) -> None:
+    """Warn of what was left out, all of it in one line, the most frequent first, and of a scene without anything."""
     kinds = ", ".join(f"{word} ({count})" for word, count in drawing.left_out.most_common())
-    warnings.warn(f"{os.fspath(path)}: not understood, and left out: {kinds}", DrawingWarning, stacklevel=5)
+    words = [f"not understood, and left out: {kinds}"] if kinds else []
+    if empty:
+        words.append("there is nothing in it that is seen and can be met")
+    if words:
+        warnings.warn(f"{os.fspath(path)}: {'; '.join(words)}", DrawingWarning, stacklevel=5)
 
 
 def data_of(path: str | os.PathLike[str]) -> bytes:

@@ -214,6 +214,13 @@ def test_what_is_likely_missing_is_said(tmp_path: Path, inside: str, said: str) 
     assert said in refusal(tmp_path, inside)
 
 
+@pytest.mark.parametrize("inside", ["", '<g style="display:none"><circle r="1"/></g>', "<text>a</text>"])
+def test_a_drawing_of_nothing_says_so(tmp_path: Path, inside: str) -> None:
+    with pytest.warns(carom.errors.DrawingWarning, match="there is nothing in it that is seen and can be met") as heard:
+        assert drawn(tmp_path, inside).shapes == ()
+    assert len(heard) == 1
+
+
 @pytest.mark.parametrize(
     ("inside", "told"),
     [
