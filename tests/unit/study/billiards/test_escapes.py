@@ -81,8 +81,9 @@ def test_chaotic_orbits_escape_at_the_rate_of_bauer_and_bertsch() -> None:
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_in_a_stadium_those_that_bounce_up_and_down_are_there_for_long() -> None:
-    # C. P. Dettmann and O. Georgiou, Physica D 238, 2395, 2009: with a hole from h1 to h2 in a straight wall from -a to
-    # a, the share that survives comes to (3 ln 3 + 4)·((a + h1)² + (a - h2)²)/(2π(4a + πr))/t. Of those on one side of
+    # C. P. Dettmann and O. Georgiou, Physica D 238, 2395, 2009, find a constant over t; for starts that are uniform in
+    # phase space it is derived here. With a hole from h1 to h2 in a straight wall from -a to a, the share that survives
+    # comes to (3 ln 3 + 4)·((a + h1)² + (a - h2)²)/(2π(4a + πr))/t. Of those on one side of
     # the hole, L wide, half go towards it; the others come back from the half circle with k times their angle, k
     # being even from 1/3 to 3, whose mean 1/k is 3/4 ln 3.
     half, radius, h1, h2 = 2.0, 0.5, -0.5, 0.7

@@ -52,7 +52,7 @@ def by_curvatures(name: str, n: int, hits: int) -> np.ndarray[Any, Any]:
     """The greatest exponents of orbits from the curvature of the front that diverges from one place of each.
 
     In a flight of length τ a front of the curvature B becomes 1 + τ B times as wide; a wall of the curvature K makes it
-    B + 2 K/cos φ. Source: Ya. G. Sinai, Russ. Math. Surv. 25, 137, 1970; Chernov and Markarian, 2006, section 3.8.
+    B + 2 K/cos φ. Source: Ya. G. Sinai, Russ. Math. Surv. 25, 137, 1970; N. Chernov and R. Markarian, 2006.
     """
     table = study.table(name)
     (batch,) = ensembles.batches(table, table.random_starts(n, 1), 1.0)
