@@ -44,7 +44,7 @@ def run(quick: bool) -> list[Figure]:
     """Microseconds a hit of each study, and how many times that of the run alone it is."""
     orbits, hits, rounds, seconds = (20, 20, 1, 10.0) if quick else (1000, 200, 5, 4000.0)
     figures = []
-    for name in ("stadium", "sinai", "lorentz"):
+    for name in ("stadium", "sinai", "lorentz", "ellipse"):
         figures += _of(name, calls_of(study.table(name), orbits, hits), orbits * hits, rounds)
     alone_in, together = study.table("lorentz").ensemble(1), crowd()
     for name, world, lasting in (("one ball", alone_in, 20.0 * seconds), ("twenty balls", together, seconds)):

@@ -26,6 +26,9 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
         "45 degrees it lands after 10.40 m" in printed and "<svg" in names["stage"].value
     ),
     "common_tangents": lambda names, _: len(names["belt"]) == 6,
+    "drawn_table": lambda names, printed: (
+        "11 lines are 17 shapes, 8 of them arcs" in printed and names["met"] >= {"frame", "left", "ramp"}
+    ),
     "flipper": lambda names, _: np.allclose(names["speeds"], names["expected"], rtol=0.02),
     "galperin_pi": lambda _, printed: [line.split()[2] for line in printed.splitlines()] == ["3", "31", "314", "3141"],
     "galton_board": lambda names, _: abs(names["bins"].mean() - 5) < 0.3 and abs(names["bins"].std() - 1.58) < 0.3,
@@ -35,6 +38,7 @@ CLAIMS: dict[str, Callable[[dict[str, Any], str], bool]] = {
     "lidar": lambda names, _: names["hits"].found.all(),
     "maxwell_gas": lambda names, _: np.ptp(names["energy"]) < 1e-12 * names["energy"][0],
     "newtons_cradle": lambda names, _: np.ptp(names["energy"]) == 0.0 and len(names["run"].hits) > 15,
+    "phase_portrait": lambda names, _: abs(names["order"] - names["cap"]) < 0.05,
     "pinball_hits": lambda names, _: len(names["run"].hits) > 100,
     "pool_line": lambda _, printed: "in the pocket" in printed,
     "rounded_room": lambda names, _: np.allclose(names["speeds"], 9.16**0.5, rtol=1e-12) and len(names["ellipse"]) < 40,
@@ -52,6 +56,7 @@ LONG = {
     "learning_pinball",
     "galton_board",
     "maxwell_gas",
+    "phase_portrait",
     "pinball_hits",
     "pool_line",
     "sinai_billiard",

@@ -11,18 +11,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from carom.checks import refuse
 from carom.spelling import spelled
 from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, named, new_axes
+from carom.study.billiards.escapes import Correlation, Escape
+from carom.study.billiards.maps import BoundaryMap, MeanFreePath
+from carom.study.billiards.sections import Section
+from carom.study.billiards.spectra import Lyapunov
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from carom.study.billiards.ensembles import Numbers
-    from carom.study.billiards.escapes import Correlation, Escape
-    from carom.study.billiards.maps import BoundaryMap, MeanFreePath
     from carom.study.billiards.outline import Floats
-    from carom.study.billiards.sections import Section
-    from carom.study.billiards.spectra import Lyapunov
 
 #: Points in a phase portrait above which they are drawn ever smaller, and their largest size.
 CROWD, DOT = 20_000, 3.0
@@ -38,6 +39,7 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
 
     Lines divide the outer wall and the islands.
     """
+    _check(found, BoundaryMap, "boundary_map")
     axes = axes or new_axes()
     orbits, hits = found.sine.shape
     _dots(axes, found.arc_length.ravel(), found.sine.ravel(), np.repeat(np.arange(orbits), hits))
@@ -51,6 +53,7 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
 @spelled
 def section(found: Section, axes: Axes | None = None) -> Axes:
     """The phase portrait of a `study.section`: each crossing by its distance and velocity along the line, by orbit."""
+    _check(found, Section, "section")
     axes = axes or new_axes()
     _dots(axes, found.distance, found.along, found.orbit)
     (ax, ay), (bx, by) = found.cut
@@ -61,6 +64,7 @@ def section(found: Section, axes: Axes | None = None) -> Axes:
 @spelled
 def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
     """The plot of how long the flights of a `study.mean_free_path` are, with their mean and π·area/perimeter."""
+    _check(found, MeanFreePath, "mean_free_path")
     axes = axes or new_axes()
     axes.hist(found.paths, bins=BARS, density=True, color=FIRST, alpha=0.75, label="flights")
     label = f"mean {found.value:.4g} ± {found.error:.1g}"
@@ -74,6 +78,7 @@ def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
 @spelled
 def survival(found: Escape, axes: Axes | None = None) -> Axes:
     """The plot of how many orbits of a `study.escape` are still there, with the rate that was found and its line."""
+    _check(found, Escape, "escape")
     axes = axes or new_axes()
     there = found.survival > 0.0
     time, share, error = found.time[there], found.survival[there], BAND * found.error[there]
@@ -94,6 +99,7 @@ def survival(found: Escape, axes: Axes | None = None) -> Axes:
 @spelled
 def correlation(found: Correlation, axes: Axes | None = None) -> Axes:
     """The plot of a `study.correlation` over time, with a band of two standard errors to either side."""
+    _check(found, Correlation, "correlation")
     axes = axes or new_axes()
     error = BAND * found.error
     axes.axhline(0.0, color=OUTLINE, linewidth=1.0)
@@ -109,6 +115,7 @@ def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
 
     Order is a peak beside 0, chaos a hill where its exponent is.
     """
+    _check(found, Lyapunov, "lyapunov")
     axes = axes or new_axes()
     density, edges = np.histogram(found.exponents, bins=BARS, density=True)
     axes.stairs(density, edges, fill=True, color=FIRST, alpha=0.75, label="orbits")
@@ -117,6 +124,12 @@ def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
     axes.axvline(0.0, color=OUTLINE, linewidth=1.0)
     axes.legend(frameon=False)
     return named(axes, "Lyapunov exponents", "greatest exponent in 1/s", "share of orbits per 1/s")
+
+
+def _check(found: object, kind: type, study: str) -> None:
+    """Raise `InvalidArgument` for what is not the result of a study."""
+    if not isinstance(found, kind):
+        raise refuse("found", f"must be what study.{study} returns", found)
 
 
 def _dots(axes: Axes, x: Floats, y: Floats, orbit: Numbers) -> None:

@@ -86,6 +86,8 @@ def test_one_call_makes_a_figure_or_draws_into_given_axes_on_any_ground(plot: Ca
             assert mine.title.get_color() == mpl.rcParams["text.color"]
     with pytest.raises(carom.UnknownName, match="did you mean axes"):
         plot(found, axis=None)
+    with pytest.raises(carom.InvalidArgument, match=r"found must be what study\.\w+ returns, not 'stadium'"):
+        plot("stadium")
 
 
 def test_a_phase_portrait_is_a_dot_for_each_hit_a_colour_for_each_orbit_and_a_line_for_each_island() -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from math import cos, sin
 from typing import Any
 
+from carom.geometry.arc import arc_ends
 from carom.scene.drawings.joints import OF_HANDLE
 from carom.scene.drawings.pieces import Conic, Course, Cubic, Vector
 from carom.shapes.arc import Arc
-from carom.shapes.outlines import bezier, fit
-from carom.shapes.segment import Segment
-from carom.shapes.shape import Shape
+from carom.shapes.outlines.curves import bezier_chain, fit_chain
+from carom.shapes.outlines.walls import figures
 
 
 def fitted(piece: Conic | Cubic | Course, tolerance: float) -> list[tuple[str, dict[str, Any]]]:
@@ -19,17 +19,20 @@ def fitted(piece: Conic | Cubic | Course, tolerance: float) -> list[tuple[str, d
     Raises `InvalidArgument` where the tolerance is finer than the rounding of the curve's coordinates.
     """
     if isinstance(piece, Cubic):
-        shapes = bezier(piece.points(), (1.0 - OF_HANDLE) * tolerance, guard=False)
+        chain = bezier_chain(piece.points(), (1.0 - OF_HANDLE) * tolerance)
     elif isinstance(piece, Conic):
-        shapes = fit(
+        chain = fit_chain(
             lambda t: piece.at(piece.begin + t * piece.sweep),
             tolerance,
-            derivative=lambda t: _speed(piece, piece.begin + t * piece.sweep),
-            guard=False,
+            lambda t: _speed(piece, piece.begin + t * piece.sweep),
         )
     else:
-        shapes = fit(piece.at, tolerance, guard=False)
-    return [_geometry(shape) for shape in shapes]
+        chain = fit_chain(piece.at, tolerance)
+    made: list[tuple[str, dict[str, Any]]] = [*figures(*chain)]
+    for kind, geometry in made:
+        if kind == "arc":
+            _check(**geometry)
+    return made
 
 
 def _speed(piece: Conic, t: float) -> Vector:
@@ -39,11 +42,8 @@ def _speed(piece: Conic, t: float) -> Vector:
     return vx * c - ux * s, vy * c - uy * s
 
 
-def _geometry(shape: Shape) -> tuple[str, dict[str, Any]]:
-    """The kind and the geometry of a segment or an arc."""
-    if isinstance(shape, Arc):
-        angles = {"start_angle": shape.start_angle, "end_angle": shape.end_angle}
-        return "arc", {"center": shape.center, "radius": shape.radius, **angles}
-    if isinstance(shape, Segment):
-        return "segment", {"start": shape.p0, "end": shape.p1}
-    raise TypeError(f"an outline is of arcs and segments, not of {shape.kind}s")
+def _check(center: Vector, radius: float, start_angle: float, end_angle: float) -> None:
+    """Raise `InvalidArgument` where rounding has made an arc a point; all arcs made into shapes would take long."""
+    ax, ay, bx, by = arc_ends(*center, radius, start_angle, end_angle)
+    if ax == bx and ay == by:
+        Arc(center, radius, start_angle, end_angle)

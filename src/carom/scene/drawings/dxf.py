@@ -17,6 +17,7 @@ from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.entities import DRAWS, disc, discs_of, outlines_of
 from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS
+from carom.scene.drawings.pieces import is_nothing
 
 #: The application whose extended data hold options, as strings such as `kick=4`.
 APPLICATION = "CAROM"
@@ -117,11 +118,15 @@ class DxfReader:
 
     def _said_by(self, entity: Any, layer: str) -> tuple[str | None, dict[str, Any], dict[str, str]]:
         """The name of an entity and its options: those in its layer's name, and over them those in its data."""
-        name, labelled = keywords.label(decode_dxf_unicode(layer))
+        name, labelled = keywords.labelled("layer", decode_dxf_unicode(layer))
         said = [(f"layer {key}", key, text) for key, text in labelled]
         if entity.has_xdata(APPLICATION):
             lines = [str(tag.value) for tag in entity.get_xdata(APPLICATION) if tag.code == 1000]
-            said += [(f"{APPLICATION} {key}", key, text) for line in lines for key, text in keywords.label(line)[1]]
+            for line in lines:
+                words, listed = keywords.labelled(APPLICATION, line)
+                if words:
+                    raise ValueError(f"{APPLICATION}: {words[:60]!r}: {keywords.WRITTEN}")
+                said += [(f"{APPLICATION} {key}", key, text) for key, text in listed]
         options: dict[str, Any] = {}
         written: dict[str, str] = {}
         for place, key, text in said:
@@ -178,6 +183,11 @@ class DxfReader:
         outlines = outlines_of(entity)
         if outlines is None:
             self._drawing.left_out[f"{kind.lower()} in space"] += 1
+            return
+        if is_nothing(outlines):
+            if written:
+                raise ValueError("draws nothing: it needs a size")
+            self._drawing.left_out[f"{kind.lower()} without a size"] += 1
             return
         filled = kind == "CIRCLE" and disc(outlines[0][0]) in self._discs
         bodies.append(

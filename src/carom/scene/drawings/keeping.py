@@ -19,6 +19,8 @@ from carom.scene.scanning import check_json
 
 #: The id of the element that holds a scene, and its attribute with the digest.
 KEPT, DIGEST = "carom-scene", "data-carom-drawn"
+#: What the font of every picture that carom draws begins with, on its root.
+FONT = "system-ui,-apple-system,'Segoe UI'"
 #: What is said of where something is drawn.
 _DRAWN = ("cx", "cy", "d", "height", "points", "r", "transform", "viewBox", "width", "x", "x1", "x2", "y", "y1", "y2")
 
@@ -35,7 +37,8 @@ def with_scene(picture: str, table: dict[str, Any]) -> str:
 def kept_in(root: Element) -> dict[str, Any] | None:
     """The table of the scene that is kept in a picture, None where there is none.
 
-    Raises `SceneError` where what is drawn was changed since, or the table is broken.
+    Raises `SceneError` where what is drawn was changed since, or the table is broken, and for a picture of carom that
+    keeps no scene, as those of runs: its frames and letters would be walls.
     """
     for child in root.children:
         if child.attributes.get("id") == KEPT and child.tag == "metadata":
@@ -52,6 +55,8 @@ def kept_in(root: Element) -> dict[str, Any] | None:
             if not isinstance(table, dict):
                 raise SceneError(f"{child}: is no scene: must hold one table")
             return table
+    if root.attributes.get("role") == "img" and root.attributes.get("font-family", "").startswith(FONT):
+        raise SceneError(f"{root}: is a picture of a run, which keeps no scene; `carom show SCENE` draws one that does")
     return None
 
 

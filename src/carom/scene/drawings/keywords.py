@@ -40,6 +40,9 @@ _WORLD = {name: field.annotation for name, field in WorldDescriptor.model_fields
 }
 
 _WORD = re.compile(r'([A-Za-z_][\w-]*)=("[^"]*"|\S*)|(\S+)')
+#: An option as somebody may write it who has forgotten how.
+_SLIP = re.compile(r"([A-Za-z_][\w-]*)(?:\s+=|:\s*(?=[-+.\d]))\s*\S+")
+WRITTEN = 'options stand at the end, without blanks: kick=4 velocity=3,4 name="two words"'
 _TRUE, _FALSE = ("true", "yes", "on", "1", ""), ("false", "no", "off", "0")
 
 
@@ -54,15 +57,32 @@ def of_world(name: str, text: str) -> tuple[str, Any]:
 
 
 def label(text: str) -> tuple[str, list[tuple[str, str]]]:
-    """The name in a label and the options after it, as they are written: `bumper kick=4` names a bumper."""
+    """The name in a label and the options after it, as they are written: `bumper kick=4` names a bumper.
+
+    Raises `ValueError` for words after an option, and for an option that is written otherwise.
+    """
     words: list[str] = []
     options: list[tuple[str, str]] = []
     for key, value, word in _WORD.findall(text):
         if key:
             options.append((key, value.strip('"')))
-        elif not options:
+        elif options:
+            last = options[-1][0]
+            raise ValueError(f"{word[:60]!r} after {last}=: {WRITTEN}")
+        else:
             words.append(word)
+    slip = _SLIP.search(text) if not options else None
+    if slip and slip[1].replace("-", "_") in _FIELDS:
+        raise ValueError(f"{slip[0][:60]!r}: {WRITTEN}")
     return (" ".join(words), options) if options else (text.strip(), [])
+
+
+def labelled(place: str, text: str) -> tuple[str, list[tuple[str, str]]]:
+    """What `label` finds in a text; its `ValueError` begins with the place that the text stands in."""
+    try:
+        return label(text)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from None
 
 
 def _option(name: str, text: str, fields: dict[str, Any]) -> tuple[str, Any]:

@@ -130,3 +130,13 @@ _OUTLINES: dict[str, Callable[[Element, Vector], Outlines]] = {
 
 #: The elements that draw an outline.
 DRAWS = frozenset(_OUTLINES)
+#: What each needs to draw one.
+NEEDS = {
+    "circle": "r above 0",
+    "ellipse": "rx and ry above 0",
+    "line": "two ends apart",
+    "path": "d with a line or a curve",
+    "polygon": "points that are two or more",
+    "polyline": "points that are two or more",
+    "rect": "width and height above 0",
+}

@@ -53,8 +53,13 @@ def subpaths(data: str) -> list[list[Piece]]:
     begin = data.lstrip()
     if begin[0] not in "Mm":
         raise ValueError(f"must begin with M, not {begin[:20]!r}")
-    for command, given in _COMMAND.findall(begin):
-        pen.obey(command, given)
+    for found in _COMMAND.finditer(begin):
+        try:
+            pen.obey(found[1], found[2])
+        except ValueError as error:
+            raise ValueError(
+                f"{error}, in the command at character {len(data) - len(begin) + found.start() + 1}"
+            ) from None
     pen.lift()
     return pen.done
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin
+from math import cos, dist, hypot, pi, sin
 from typing import TypeAlias
 
 Vector: TypeAlias = tuple[float, float]
@@ -170,10 +170,32 @@ Piece: TypeAlias = Straight | Conic | Cubic | Course
 
 
 def is_bare(piece: Piece, length: float) -> bool:
-    """Whether a piece is no more than a place: no part of it farther than about a `length` from its start."""
+    """Whether a piece is no more than a place: no part of it farther than about a `length` from its start.
+
+    A whole ellipse is only that where a transform has left it no area.
+    """
     x, y = piece.start
     if isinstance(piece, Straight):
         return abs(piece.end[0] - x) <= length and abs(piece.end[1] - y) <= length
     if isinstance(piece, Conic) and piece.whole:
-        return False
+        return piece.u[0] * piece.v[1] == piece.u[1] * piece.v[0]
     return all(hypot(px - x, py - y) <= length for px, py in piece.points())
+
+
+def is_nothing(outlines: list[list[Piece]]) -> bool:
+    """Whether outlines draw nothing at all: none of their pieces is more than a place."""
+    return all(is_bare(piece, 0.0) for outline in outlines for piece in outline)
+
+
+def arcs_of(piece: Piece, tolerance: float) -> float:
+    """About how many arcs stand for a piece within a tolerance; 0 of what is straight or round.
+
+    An arc deviates by the cube of its length, so they are as many as the root of the curve's length in tolerances.
+    """
+    if isinstance(piece, Straight) or (isinstance(piece, Conic) and piece.round):
+        return 0.0
+    points = piece.points()
+    length = sum(map(dist, points, points[1:]))
+    if isinstance(piece, Conic) and piece.whole:
+        length *= pi
+    return 1.0 + 0.6 * float((length / tolerance) ** (1.0 / 3.0))

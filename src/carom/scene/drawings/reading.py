@@ -7,6 +7,7 @@ import os
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from math import isnan
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
@@ -19,8 +20,8 @@ from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.joints import joined, size_of, smoothed
-from carom.scene.drawings.limits import FARTHEST
-from carom.scene.drawings.pieces import Piece, is_bare
+from carom.scene.drawings.limits import FARTHEST, MOST_ARCS
+from carom.scene.drawings.pieces import Piece, arcs_of, is_bare
 from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
 
@@ -74,6 +75,8 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     if size > 0.0 and used <= 0.0:
         faults.add_words(str(drawing.where), f"data-carom-tolerance: must be positive, not {used}")
         used = TOLERANCE * size
+    if used > 0.0:
+        _refuse_many(bodies, used)
     _join([body for body in drawing.bodies if body.parts is None], used)
     for body in drawing.bodies:
         if body.parts:
@@ -84,8 +87,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     world = _world(drawing)
     if faults.count:
         raise faults.error()
-    if drawing.left_out:
-        _tell(path, drawing)
+    _tell(path, drawing, empty=not (shaper.shapes or shaper.balls))
     lists = {"shapes": tuple(shaper.shapes), "balls": tuple(shaper.balls)}
     return Reading({"guard": True, **scene, "world": world}, lists, used)
 
@@ -109,18 +111,38 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str]) -> dict[str, Any]
 
 
 def _refuse_far(bodies: list[Body], faults: Faults) -> NoReturn:
-    """Raise for the bodies that are too large for a scene."""
+    """Raise for the bodies that are too large for a scene, or have places that are no numbers."""
+    large = f"is too large: a drawing may be at most {FARTHEST:g} wide and high"
+    before = faults.count
     for body in bodies:
-        if not size_of(body.outlines) <= FARTHEST:
-            faults.add_words(str(body.where), f"is too large: a drawing may be at most {FARTHEST:g} wide and high")
-    faults.add_words("the drawing", f"is too large: it may be at most {FARTHEST:g} wide and high")
+        size = size_of(body.outlines)
+        if not size <= FARTHEST:
+            faults.add_words(str(body.where), "has a coordinate that is no number" if isnan(size) else large)
+    if faults.count == before:
+        faults.add_words("the drawing", large)
     raise faults.error()
 
 
-def _tell(path: str | os.PathLike[str], drawing: Drawing) -> None:
-    """Warn of what was left out, all of it in one line, the most frequent first."""
+def _refuse_many(bodies: list[Body], tolerance: float) -> None:
+    """Raise where curves would become too many arcs: at the body with the one that is too many."""
+    arcs = 0.0
+    for body in bodies:
+        arcs += sum(arcs_of(piece, tolerance) for outline in body.outlines for piece in outline)
+        if arcs > MOST_ARCS:
+            raise SceneError(
+                f"{body.where}: the curves up to here need more than {MOST_ARCS} arcs at a tolerance of "
+                f"{tolerance:.3g}: a drawing may have no more, and a larger tolerance needs fewer"
+            )
+
+
+def _tell(path: str | os.PathLike[str], drawing: Drawing, *, empty: bool) -> None:
+    """Warn of what was left out, all of it in one line, the most frequent first, and of a scene without anything."""
     kinds = ", ".join(f"{word} ({count})" for word, count in drawing.left_out.most_common())
-    warnings.warn(f"{os.fspath(path)}: not understood, and left out: {kinds}", DrawingWarning, stacklevel=5)
+    words = [f"not understood, and left out: {kinds}"] if kinds else []
+    if empty:
+        words.append("there is nothing in it that is seen and can be met")
+    if words:
+        warnings.warn(f"{os.fspath(path)}: {'; '.join(words)}", DrawingWarning, stacklevel=5)
 
 
 def data_of(path: str | os.PathLike[str]) -> bytes:

@@ -17,7 +17,6 @@ from carom.scene.descriptors import BallDescriptor
 from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body
 from carom.scene.drawings.curves import fitted
-from carom.scene.drawings.limits import MOST_CURVES
 from carom.scene.drawings.pieces import Conic, Piece, Straight, Vector
 from carom.scene.faults import Faults
 from carom.scene.shape_descriptors import CompoundDescriptor, GateDescriptor
@@ -45,13 +44,13 @@ class Shaper:
         self.balls: list[Descriptor] = []
         self._faults = faults
         self._tolerance = tolerance
-        self._curves = 0
         self._samples: dict[Any, Descriptor] = {}
 
     def add(self, body: Body) -> None:
         """Make the descriptors of a body."""
         try:
             if body.parts is not None:
+                self._refuse_balls(body, body.parts)
                 self._add_compound(body, [part for below in body.parts for part in self._parts_of(below)])
             elif body.options.get("ball"):
                 self.balls += self._parts_of(body)
@@ -74,7 +73,7 @@ class Shaper:
         else:
             raise _Refused(
                 body.where,
-                f'{body.written[min(moving)]}: needs a pivot too, such as {keywords.PREFIX}pivot="10 20", for it is '
+                f"{body.written[min(moving)]}: needs a pivot too, such as {_as_in(body, 'pivot', '10 20')}, for it is "
                 f"{len(made)} pieces that move as one",
             )
 
@@ -87,6 +86,13 @@ class Shaper:
             self.shapes.append(CompoundDescriptor(name=body.name, shapes=tuple(parts), **moving))
         except ValidationError as error:
             raise self._refused(body, error) from None
+
+    def _refuse_balls(self, body: Body, parts: list[Body]) -> None:
+        """Raise for balls in a group that turns about a pivot."""
+        for part in parts:
+            if part.options.get("ball"):
+                words = f"{part.written['ball']}: a ball is no part of what moves as one; move it out of {body.where}"
+                raise _Refused(part.where, words)
 
     def _parts_of(self, body: Body) -> list[Descriptor]:
         """The descriptors of a body's pieces."""
@@ -129,9 +135,6 @@ class Shaper:
         if isinstance(piece, Straight):
             return [("segment", {"start": piece.start, "end": piece.end})]
         if not isinstance(piece, Conic) or not piece.round:
-            self._curves += 1
-            if self._curves > MOST_CURVES:
-                raise InvalidArgument(f"is a curve too many: a drawing may have at most {MOST_CURVES}")
             return fitted(piece, self._tolerance)
         if piece.whole:
             return [("circle", {"center": piece.center, "radius": piece.radius, "solid": filled})]
@@ -176,8 +179,24 @@ class Shaper:
         told = []
         for words in found.first:
             key, mark, rest = words.partition(":")
-            told.append(f"{body.written[key]}:{rest}" if mark and key in body.written else words)
+            told.append(f"{body.written[key]}:{rest}{_remedy(body, key)}" if mark and key in body.written else words)
         return _Refused(body.where, *told)
+
+
+def _remedy(body: Body, key: str) -> str:
+    """What may be missing where an option that moves a shape is refused: what makes it a ball, or turns its group."""
+    if key not in keywords.MOVING or not body.options.keys().isdisjoint({"ball", "motion", "pivot"}):
+        return ""
+    if key not in body.own:
+        return f"; what moves as one needs {_as_in(body, 'pivot', '10 20')}, or in it a circle labelled pivot"
+    circle = len(body.outlines) == 1 and all(isinstance(piece, Conic) and piece.whole for piece in body.outlines[0])
+    return f"; a ball says {_as_in(body, 'ball', 'true')}" if circle and key == "velocity" else ""
+
+
+def _as_in(body: Body, key: str, text: str) -> str:
+    """An option as a body's drawing would write it: as an attribute, or as a word of a label or of extended data."""
+    attribute = any(place.startswith(keywords.PREFIX) for place in body.written.values())
+    return f'{keywords.PREFIX}{key}="{text}"' if attribute else f"{key}={text.replace(' ', ',')}"
 
 
 class _Refused(Exception):

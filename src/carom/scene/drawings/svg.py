@@ -10,8 +10,8 @@ from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.keeping import kept_in
 from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS, MOST_MARKS
-from carom.scene.drawings.outlines import DRAWS, length, outlines_of
-from carom.scene.drawings.pieces import Matrix, Vector
+from carom.scene.drawings.outlines import DRAWS, NEEDS, length, outlines_of
+from carom.scene.drawings.pieces import Matrix, Vector, is_nothing
 from carom.scene.drawings.sheets import Sheet, is_painted
 from carom.scene.drawings.transforms import transform
 from carom.scene.drawings.tree import MARK, XLINK, Element, read_tree
@@ -146,7 +146,10 @@ class SvgReader:
             )
             if element.tag in GROUPS:
                 self._enter(element, state, said)
-            elif properties.get("visibility", "visible") == "visible" and not is_pivot(element):
+            elif is_pivot(element):
+                if state.compound is None:
+                    self._drawing.left_out["pivot outside of a group"] += 1
+            elif properties.get("visibility", "visible") == "visible":
                 self._draw(element, state, said)
         except ValueError as error:
             self._drawing.faults.add_words(str(element), str(error))
@@ -165,6 +168,8 @@ class SvgReader:
             state = _placed(element, element, state)
         marks = [child for child in children if is_pivot(child)]
         pivot = said.options.get("pivot")
+        if len(marks) > 1:
+            raise ValueError(f"must turn about one place, but {marks[1]} is a second circle that says so")
         if marks and pivot is None:
             pivot = _center_of(marks[0], state.viewport)
         if pivot is not None:
@@ -198,6 +203,11 @@ class SvgReader:
         outlines = [
             [piece.moved(state.matrix) for piece in outline] for outline in outlines_of(element, state.viewport)
         ]
+        if is_nothing(outlines):
+            if said.options:
+                raise ValueError(f"draws nothing: it needs {NEEDS[element.tag]}, and no transform that scales it to 0")
+            self._drawing.left_out[f"{element.tag} without a size"] += 1
+            return
         options = {**state.options, **said.options}
         if "pivot" in options:
             options["pivot"] = state.matrix.place(options["pivot"])

@@ -10,18 +10,22 @@ from __future__ import annotations
 from math import pi, sin
 from typing import Any
 
+from carom.checks import positive, whole
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import ArcDescriptor, CircleDescriptor, CompoundDescriptor, SegmentDescriptor
 from carom.scene.shipped.outline import polar, rounded
+from carom.spelling import spelled
 from carom.typing import Vector
 
 WIDTH, HEIGHT = 24.0, 30.0
 CORNER_RADIUS = 2.0  # of the room, whose corners would send a ball back the way that it came
 
-BRICK_RADIUS = 0.85
+BRICK_RADIUS = 0.85  # of eleven in a row
 ROWS, LONG_ROW = 6, 11  # every other row has one brick less, and lies in the gaps
 FIRST_ROW = 17.0  # y of the lowest one
+HIGHEST = 29.0  # y up to which bricks may come, so that a ball has room above them
+MOST_COLUMNS = 24
 
 BALL_RADIUS = 0.45
 SPEED = 18.0
@@ -32,21 +36,31 @@ PADDLE_HALF_ANGLE = 0.5  # of that arc
 PADDLE_CAP = 0.3  # radius of its rounded ends
 
 
-def breakout() -> Scene:
-    """A game of breakout as it begins: the ball is on its way up to the bricks, the paddle waits in the middle."""
+@spelled
+def breakout(rows: int = ROWS, columns: int = LONG_ROW, speed: float = SPEED) -> Scene:
+    """A game of breakout as it begins: the ball is on its way up to the bricks, the paddle waits in the middle.
+
+    Every other row has one brick less than `columns`; bricks are as large as so many leave them. The ball is as fast as
+    `speed`, and never more than twice that.
+    """
+    columns = whole("columns", columns, 2, MOST_COLUMNS)
+    pitch, radius = _brick_sizes(columns)
+    most = 1 + int((HIGHEST - radius - FIRST_ROW) / (pitch * sin(pi / 3.0)))
+    rows = whole("rows", rows, 1, most, f"of bricks this large, {columns} in one")
+    speed = positive("speed", speed)
     return Scene(
         name="breakout",
         world=WorldDescriptor(
             gravity=(0.0, -3.0),
-            max_speed=2.0 * SPEED,
+            max_speed=2.0 * speed,
             bounds=(-2.0, -2.0, WIDTH + 2.0, HEIGHT + 2.0),
         ),
-        shapes=(*_room(), *_bricks(), _paddle()),
+        shapes=(*_room(), *_bricks(rows, columns), _paddle()),
         balls=(
             BallDescriptor(
                 position=(WIDTH / 2.0, PADDLE_TOP + 1.5),
                 radius=BALL_RADIUS,
-                velocity=polar((0.0, 0.0), SPEED, 1.2),
+                velocity=polar((0.0, 0.0), speed, 1.2),
                 name="ball",
             ),
         ),
@@ -61,18 +75,23 @@ def _room() -> list[Any]:
     return [*rounded(corners, closed=True, name="wall"), drain]
 
 
-def _bricks() -> list[CircleDescriptor]:
+def _brick_sizes(columns: int) -> tuple[float, float]:
+    """How far bricks are from each other in a row of so many, and their radius."""
+    return WIDTH / (columns + 0.5), BRICK_RADIUS * ((LONG_ROW + 0.5) / (columns + 0.5))
+
+
+def _bricks(rows: int, columns: int) -> list[CircleDescriptor]:
     """The rows of bricks, the lowest first, from left to right."""
-    pitch = WIDTH / (LONG_ROW + 0.5)
+    pitch, radius = _brick_sizes(columns)
     bricks = []
-    for row in range(ROWS):
-        count = LONG_ROW - row % 2
+    for row in range(rows):
+        count = columns - row % 2
         left = WIDTH / 2.0 - 0.5 * pitch * (count - 1)
         y = FIRST_ROW + row * pitch * sin(pi / 3.0)
         for place in range(count):
             name = f"brick {row + 1}.{place + 1}"
             center = (left + place * pitch, y)
-            bricks.append(CircleDescriptor(center=center, radius=BRICK_RADIUS, solid=True, once=True, name=name))
+            bricks.append(CircleDescriptor(center=center, radius=radius, solid=True, once=True, name=name))
     return bricks
 
 

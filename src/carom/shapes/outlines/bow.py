@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from carom.constants import LARGEST_RADIUS
 from carom.geometry.biarc import bend, biarc_joint, side_of_arc
-from carom.shapes.outlines.cubic import Cubic, cross, dot
+from carom.shapes.outlines.cubic import Cubic, dot
 
 #: Lengths, for outlines whose coordinates are at most 1: the rounding of a place, and of an arc's end for its radius.
 PLACE_ROUNDING, END_ROUNDING = 2e-15, 1e-15
@@ -74,21 +74,31 @@ class Bow(NamedTuple):
         coefficients. So are the ways along the tangents at both ends.
         """
         inside, outside = _bounds(self.curvature, room)
-        places = [place - self.start for place in cubic]
-        leans = [cross(self.out, place) for place in places]
-        values = _lean(leans, self.curvature, places)
-        if not (outside <= values[0] <= inside and outside <= values[6] <= inside):
+        half, tx, ty = 0.5 * self.curvature, self.out.real, self.out.imag
+        a, b, c, d = cubic.a - self.start, cubic.b - self.start, cubic.c - self.start, cubic.d - self.start
+        ax, ay, bx, by, cx, cy, dx, dy = a.real, a.imag, b.real, b.imag, c.real, c.imag, d.real, d.imag
+        s0, s3 = tx * ay - ty * ax, tx * dy - ty * dx
+        first, last = s0 - half * (ax * ax + ay * ay), s3 - half * (dx * dx + dy * dy)
+        if not (outside <= first <= inside and outside <= last <= inside):
             return False
         slack = -PAST_END * room
-        if dot(self.out, places[0]) < slack or dot(self.into, self.end - cubic.d) < slack:
+        if tx * ax + ty * ay < slack or dot(self.into, self.end - cubic.d) < slack:
             return False
-        if outside <= min(values) and max(values) <= inside:
-            ahead = min(dot(self.out, place) for place in places)
+        s1, s2 = tx * by - ty * bx, tx * cy - ty * cx
+        inner = (
+            (s0 + s1) / 2.0 - half * (ax * bx + ay * by),
+            (s0 + 3.0 * s1 + s2) / 5.0 - half * ((2.0 * (ax * cx + ay * cy) + 3.0 * (bx * bx + by * by)) / 5.0),
+            (s0 + 9.0 * s1 + 9.0 * s2 + s3) / 20.0 - half * ((ax * dx + ay * dy + 9.0 * (bx * cx + by * cy)) / 10.0),
+            (s1 + 3.0 * s2 + s3) / 5.0 - half * ((2.0 * (bx * dx + by * dy) + 3.0 * (cx * cx + cy * cy)) / 5.0),
+            (s2 + s3) / 2.0 - half * (cx * dx + cy * dy),
+        )
+        if outside <= min(inner) and max(inner) <= inside:
+            ahead = min(tx * ax + ty * ay, tx * bx + ty * by, tx * cx + ty * cy, tx * dx + ty * dy)
             if ahead >= slack and min(dot(self.into, self.end - place) for place in cubic) >= slack:
                 return True
         if halvings == 0:
             return False
-        return all(self.follows(half, room, halvings - 1) for half in cubic.halves())
+        return all(self.follows(part, room, halvings - 1) for part in cubic.halves())
 
 
 def _bounds(curvature: float, room: float) -> tuple[float, float]:
@@ -100,31 +110,6 @@ def _bounds(curvature: float, room: float) -> tuple[float, float]:
     elif curvature * room <= -1.0:
         outside = -inf
     return inside, outside
-
-
-def _lean(sides: list[float], curvature: float, q: list[complex]) -> list[float]:
-    """The Bernstein coefficients of degree 6 of q·n - k·q²/2, for those of q·n and q, of degree 3."""
-    half = 0.5 * curvature
-    squares = (
-        dot(q[0], q[0]),
-        dot(q[0], q[1]),
-        (2.0 * dot(q[0], q[2]) + 3.0 * dot(q[1], q[1])) / 5.0,
-        (dot(q[0], q[3]) + 9.0 * dot(q[1], q[2])) / 10.0,
-        (2.0 * dot(q[1], q[3]) + 3.0 * dot(q[2], q[2])) / 5.0,
-        dot(q[2], q[3]),
-        dot(q[3], q[3]),
-    )
-    s0, s1, s2, s3 = sides
-    raised = (
-        s0,
-        (s0 + s1) / 2.0,
-        (s0 + 3.0 * s1 + s2) / 5.0,
-        (s0 + 9.0 * s1 + 9.0 * s2 + s3) / 20.0,
-        (s1 + 3.0 * s2 + s3) / 5.0,
-        (s2 + s3) / 2.0,
-        s3,
-    )
-    return [lean - half * square for lean, square in zip(raised, squares, strict=True)]
 
 
 def biarc(start: complex, out: complex, end: complex, into: complex) -> tuple[Bow, Bow] | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from math import ldexp
-from typing import Unpack
+from typing import NamedTuple, Unpack
 
 from carom.checks import non_negative, refuse
 from carom.constants import LEAST_TOLERANCE
@@ -17,7 +17,7 @@ from carom.shapes.outlines.places import places_of
 from carom.shapes.outlines.spline import Curve, cubics_along, slope_by_steps, value_of
 from carom.shapes.outlines.through import through
 from carom.shapes.outlines.track import tracks
-from carom.shapes.outlines.walls import builder, frame_of, tolerance_in, walled
+from carom.shapes.outlines.walls import Frame, builder, frame_of, tolerance_in, walled
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.typing import Pair, Vector
 
@@ -26,6 +26,14 @@ FIRST_LOOKS, CUBICS_SHARE = 64, 0.04
 
 #: A curve is closed smoothly whose ends are this near to each other, in its size, and its directions, in radians.
 SAME_PLACE, SAME_WAY = 1e-9, 1e-6
+
+
+class Chain(NamedTuple):
+    """Arcs that continue each other, the tolerance that they keep and the frame that both are reckoned in."""
+
+    bows: list[Bow]
+    tolerance: float
+    frame: Frame
 
 
 @builder
@@ -52,6 +60,11 @@ def bezier(
     >>> [shape.kind for shape in carom.outlines.bezier([(0, 0), (1, 2), (2, 0)], 0.01)]
     ['arc', 'arc', 'arc', 'arc', 'arc', 'arc', 'point', 'point']
     """
+    return walled(*bezier_chain(points, tolerance), guard, options)
+
+
+def bezier_chain(points: Iterable[Pair], tolerance: float) -> Chain:
+    """The arcs that `bezier` makes shapes of; raises as it does."""
     places = places_of("points", points)
     if len(places) not in {3, 4} or len(set(places)) < 2:
         raise refuse("points", "must be 3 or 4 points, not all the same", places)
@@ -61,7 +74,7 @@ def bezier(
         between = [(a + 2.0 * between[0]) / 3.0, (d + 2.0 * between[0]) / 3.0]
     cubic = Cubic(a, between[0], between[1], d)
     within = tolerance_in(frame, tolerance, cubic.size())
-    return walled(followed([cubic], within), within, frame, guard, options)
+    return Chain(followed([cubic], within), within, frame)
 
 
 @builder
@@ -96,6 +109,11 @@ def fit(
     >>> {shape.kind for shape in ellipse}
     {'arc'}
     """
+    return walled(*fit_chain(curve, tolerance, derivative), guard, options)
+
+
+def fit_chain(curve: Curve, tolerance: float, derivative: Curve | None = None) -> Chain:
+    """The arcs that `fit` makes shapes of; raises as it does."""
     for name, function in (("curve", curve), ("derivative", derivative)):
         if not callable(function) and not (name == "derivative" and function is None):
             raise refuse(name, "must be a function of t", function)
@@ -114,8 +132,7 @@ def fit(
         return slope_by_steps(place, t) if derivative is None else frame.inward(value_of("derivative", derivative, t))
 
     cubics = cubics_along(place, slope, CUBICS_SHARE * within)
-    arcs = followed(_closed(cubics, size), (1.0 - CUBICS_SHARE) * within)
-    return walled(arcs, within, frame, guard, options)
+    return Chain(followed(_closed(cubics, size), (1.0 - CUBICS_SHARE) * within), within, frame)
 
 
 def _closed(cubics: list[Cubic], size: float) -> list[Cubic]:

@@ -16,11 +16,15 @@ NEAR_ENOUGH, USED_UP = 0.03, 0.9
 
 
 class Stretch(NamedTuple):
-    """A part of a track up to u, and the biarc along it, with the largest share of its room that the looks found."""
+    """A part of a track up to u, and the biarc along it, with the largest share of its room that the looks found.
+
+    `middle` is where the track passes the joint of the biarc.
+    """
 
     end: float
     bows: tuple[Bow, Bow]
     used: float
+    middle: float
 
 
 def follow(track: Track, tolerance: float) -> list[Bow]:
@@ -73,10 +77,9 @@ def _along(track: Track, start: float, out: complex, end: float, tolerance: floa
     middle = track.crossing(start, end, bows[1].start, bows[1].out)
     used = 0.0
     for bow, low, high in ((bows[0], start, middle), (bows[1], middle, end)):
-        room = max(bow.room(tolerance), 1e-3 * tolerance)
-        for share in LOOKS:
-            used = max(used, abs(bow.side(track.point(low + share * (high - low)))) / room)
-    return Stretch(end, bows, used)
+        off = max(map(abs, map(bow.side, track.points(low, high, LOOKS))))
+        used = max(used, off / max(bow.room(tolerance), 1e-3 * tolerance))
+    return Stretch(end, bows, used, middle)
 
 
 def _is_sure(track: Track, start: float, stretch: Stretch, tolerance: float) -> bool:
@@ -84,8 +87,7 @@ def _is_sure(track: Track, start: float, stretch: Stretch, tolerance: float) -> 
     if stretch.used > 1.0:
         return _is_tiny(track, start, stretch, tolerance)
     first, last = stretch.bows
-    middle = track.crossing(start, stretch.end, last.start, last.out)
-    for bow, low, high in ((first, start, middle), (last, middle, stretch.end)):
+    for bow, low, high in ((first, start, stretch.middle), (last, stretch.middle, stretch.end)):
         turn, room = bow.turn, bow.room(tolerance)
         wide = room <= 0.0 or abs(turn) > WIDEST or turn * bow.curvature < 0.0
         if wide or not all(bow.follows(part, room) for part in track.parts(low, high)):

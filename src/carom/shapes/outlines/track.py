@@ -40,6 +40,20 @@ class Track:
         cubic, t = self._at(u)
         return cubic.point(t)
 
+    def points(self, start: float, end: float, shares: Sequence[float]) -> list[complex]:
+        """The places at shares of the way from one u to a later one; what `Cubic.point` says stands here again."""
+        cubics = self._cubics
+        last = len(cubics) - 1
+        found = []
+        for share in shares:
+            u = start + share * (end - start)
+            index = int(u) if u < last else last
+            a, b, c, d = cubics[index]
+            t = u - index
+            s = 1.0 - t
+            found.append(s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d))
+        return found
+
     def slope(self, u: float) -> complex:
         """The derivative by u."""
         cubic, t = self._at(u)
@@ -67,14 +81,30 @@ class Track:
         return along / abs(along)
 
     def crossing(self, start: float, end: float, place: complex, along: complex) -> float:
-        """A u from `start` to `end` at which the track crosses the line through a place, at right angles to `along`."""
+        """A u from `start` to `end` at which the track crosses the line through a place, at right angles to `along`.
+
+        What `Cubic.point` and `Cubic.slope` say stands here again: calls of them would be half of the time of a fit.
+        """
+        x, y, cubics = along.real, along.imag, self._cubics
+        last = len(cubics) - 1
         low, high = start, end
         u = 0.5 * (low + high)
         for _ in range(8):
-            off = dot(self.point(u) - place, along)
-            low, high = (u, high) if off < 0.0 else (low, u)
-            rate = dot(self.slope(u), along)
+            index = int(u) if u < last else last
+            a, b, c, d = cubics[index]
+            t = u - index
+            s = 1.0 - t
+            away = s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d) - place
+            off = away.real * x + away.imag * y
+            if off < 0.0:
+                low = u
+            else:
+                high = u
+            slope = 3.0 * (s * s * (b - a) + 2.0 * s * t * (c - b) + t * t * (d - c))
+            rate = slope.real * x + slope.imag * y
             nearer = u - off / rate if rate > 0.0 else u
+            if nearer == u:
+                break
             u = nearer if low <= nearer <= high else 0.5 * (low + high)
         return u
 
@@ -108,13 +138,38 @@ def _smooth_parts(cubic: Cubic) -> Iterator[tuple[Cubic, complex, complex]]:
     """The parts of a cubic between its cusps, with the directions at their ends; none of one that is a point."""
     if cubic.size() == 0.0:
         return
-    tips = _tips(cubic)
+    tips = [] if _is_brisk(cubic) else _tips(cubic)
     before, out = 0.0, _directions(cubic, 0.0, 0.0 in tips)[1]
     for t in [*(t for t in tips if 0.0 < t < 1.0), 1.0]:
         back, forth = _directions(cubic, t, t in tips)
         if t == 1.0 or dot(back, forth) < 0.0:
             yield cubic.part(before, t) if t - before < 1.0 else cubic, out, back
             before, out = t, forth
+
+
+def _is_brisk(cubic: Cubic) -> bool:
+    """Whether a cubic is sure to have no tip: its slope, thrice a mean of its legs, is far from 0 wherever it is."""
+    a, b, c, d = cubic
+    first, second, third, chord = b - a, c - b, d - c, d - a
+    long = abs(chord)
+    # Of a curve that goes on along its chord it is quick to tell.
+    least = min(dot(first, chord), dot(second, chord), dot(third, chord)) / long if long > 0.0 else 0.0
+    if least <= 0.0:
+        turns = cross(first, second), cross(second, third), cross(third, first)
+        if min(turns) >= 0.0 or max(turns) <= 0.0:  # 0 may be a mean of them
+            return False
+        least = min(_nearest(first, second), _nearest(second, third), _nearest(third, first))
+    speed = 2.9 * least
+    bend = 6.0 * max(abs(second - first), abs(third - second))
+    return speed > STILL * cubic.size() and speed * speed > TIP_RADIUS * bend
+
+
+def _nearest(start: complex, end: complex) -> float:
+    """How far the way from one place to another is from 0."""
+    along = end - start
+    square = dot(along, along)
+    share = min(max(-dot(start, along) / square, 0.0), 1.0) if square > 0.0 else 0.0
+    return abs(start + share * along)
 
 
 def _tips(cubic: Cubic) -> list[float]:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from carom.checks import flag, positive, refuse
 from carom.constants import HALF_PI, LEAST_TOLERANCE, STRAIGHT_TURN
+from carom.geometry.angle import normalize_angle
 from carom.shapes.arc import Arc
 from carom.shapes.guard import guard_points
 from carom.shapes.outlines.bow import Bow, largest_radius
@@ -40,6 +41,13 @@ def builder(function: F) -> F:
     made: Any = function
     made.__signature__ = inspect.Signature([*own[:-1], *common])
     return spelled(function)
+
+
+class Figure(NamedTuple):
+    """A segment or an arc before it is a shape: its kind, and the arguments that make it, angles in [0, 2π)."""
+
+    kind: str
+    geometry: dict[str, Any]
 
 
 class Frame(NamedTuple):
@@ -85,8 +93,13 @@ def tolerance_in(frame: Frame, tolerance: Any, size: float) -> float:
 
 def walled(bows: Iterable[Bow], tolerance: float, frame: Frame, guard: Any, options: ShapeOptions) -> list[Shape]:
     """The segments and arcs for a chain of arcs that was reckoned in a frame, and the points that they need."""
-    shapes = [_wall(bow, frame, options) for bow in _straightened(_joined(bows, tolerance), largest_radius(tolerance))]
-    return guarded(shapes, guard)
+    kinds: dict[str, Any] = {"segment": Segment, "arc": Arc}
+    return guarded([kinds[kind](**geometry, **options) for kind, geometry in figures(bows, tolerance, frame)], guard)
+
+
+def figures(bows: Iterable[Bow], tolerance: float, frame: Frame) -> list[Figure]:
+    """What `walled` makes shapes of."""
+    return [_figure(bow, frame) for bow in _straightened(_joined(bows, tolerance), largest_radius(tolerance))]
 
 
 def guarded(walls: list[Shape], guard: Any) -> list[Shape]:
@@ -141,16 +154,17 @@ def _straightened(bows: Iterable[Bow], largest: float) -> Iterator[Bow]:
         yield Bow(enter, along, curvature, bow.end, bow.into)
 
 
-def _wall(bow: Bow, frame: Frame, options: ShapeOptions) -> Shape:
+def _figure(bow: Bow, frame: Frame) -> Figure:
     """The segment or arc for an arc on its way; where the radius is from the angles that are kept, the ends meet."""
     start, end = phase(bow.out), phase(bow.into)
     turn = (end - start + pi) % (2.0 * pi) - pi
     if abs(turn) <= STRAIGHT_TURN and abs(bow.end - bow.start) * abs(bow.curvature) < 1.0:
-        return Segment(frame.outward(bow.start), frame.outward(bow.end), **options)
+        return Figure("segment", {"start": frame.outward(bow.start), "end": frame.outward(bow.end)})
     if turn * bow.curvature < 0.0:
         turn -= 2.0 * pi if turn > 0.0 else -2.0 * pi
     radius = abs(bow.end - bow.start) / (2.0 * sin(0.5 * abs(turn)))
     left = radius * (1j if turn > 0.0 else -1j)
     center = 0.5 * (bow.start + left * bow.out) + 0.5 * (bow.end + left * bow.into)
-    angles = (start - HALF_PI, end - HALF_PI) if turn > 0.0 else (end + HALF_PI, start + HALF_PI)
-    return Arc(frame.outward(center), frame.length(radius), *angles, **options)
+    begin, close = (start - HALF_PI, end - HALF_PI) if turn > 0.0 else (end + HALF_PI, start + HALF_PI)
+    angles = {"start_angle": normalize_angle(begin), "end_angle": normalize_angle(close)}
+    return Figure("arc", {"center": frame.outward(center), "radius": frame.length(radius), **angles})

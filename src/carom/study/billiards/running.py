@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 from math import log, sqrt
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,7 +16,6 @@ from carom.spelling import spelled
 from carom.study.billiards.ensembles import Numbers
 from carom.study.billiards.outline import Floats
 from carom.study.billiards.tangents import Walls, bounce_maps, impact_maps, products, times, walls_of
-from carom.typing import Vector
 from carom.world import World
 
 #: Parts of a run, whose exponents tell the error, and how many of them go by until changes have settled.
@@ -24,6 +24,10 @@ PARTS, SETTLING = 40, 10
 SCALED = 50
 #: The planes of the four coordinates of a change.
 PLANES = tuple(combinations(range(4), 2))
+
+# Numbers of balls, and what is told of each of some hits, as lists: loops over these are quick.
+Places: TypeAlias = list[int]
+Column: TypeAlias = list[float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -177,7 +181,8 @@ class _ManyBalls:
         bent[:, :, ~pairs] = impact_maps(walls, rows[~pairs], 0.0, radius[first[~pairs]])[2:, :2]
         curvature = 1.0 / (radius[first] + radius[second])[pairs]
         bent[:, :, pairs] = bounce_maps(normal[:, pairs], apart, curvature)[2:, :2]
-        grown = self._through(first, second, flights, np.concatenate((normal, bent.reshape(4, -1))).T, mass)
+        impacts = np.concatenate((normal, bent.reshape(4, -1)))
+        grown = self._through(first.tolist(), second.tolist(), *flights, impacts.tolist(), mass.tolist())
         last = np.full(len(ids), began)
         for balls in (first, second):
             np.maximum.at(last, balls[balls >= 0], rows["time"][balls >= 0])
@@ -186,27 +191,37 @@ class _ManyBalls:
         self._change /= size
         return np.array([grown + log(size)]), len(rows)
 
-    def _through(self, first: Numbers, second: Numbers, flights: list[Vector], impacts: Floats, mass: Floats) -> float:
+    def _through(
+        self, first: Places, second: Places, mine: Column, its: Column, impacts: list[Column], masses: Column
+    ) -> float:
         """The logarithm of what changes are divided by in impacts of the first balls on walls or second balls.
 
-        `impacts` has the normal n and the four numbers of the matrix b, row after row, of each: there the change
-        between the two, or of the first alone on a wall, becomes δr - 2 n (n·δr) and δv - 2 n (n·δv) + b δr.
+        Before each there is a flight of the first ball, and one of the second. `impacts` has the normal n and the four
+        numbers of the matrix b, row after row, a column each: there the change between the two, or of the first alone
+        on a wall, becomes δr - 2 n (n·δr) and δv - 2 n (n·δv) + b δr. Lists in lists would cost as much again.
         """
-        scale, changes, masses = 0.0, [tuple(change) for change in self._change.tolist()], mass.tolist()
-        each = zip(first.tolist(), second.tolist(), flights, impacts.tolist(), strict=True)
-        for number, (one, other, (mine, its), (nx, ny, a, b, c, d)) in enumerate(each):
+        scale, changes = 0.0, [tuple(change) for change in self._change.tolist()]
+        each = zip(first, second, mine, its, *impacts, strict=True)
+        for number, (one, other, flown, its_flown, nx, ny, a, b, c, d) in enumerate(each):
             x, y, vx, vy = changes[one]
-            x, y = x + mine * vx, y + mine * vy
-            dx, dy, dvx, dvy, share = x, y, vx, vy, 1.0
-            if other >= 0:
+            x, y = x + flown * vx, y + flown * vy
+            if other < 0:
+                across, faster = -2.0 * (nx * x + ny * y), -2.0 * (nx * vx + ny * vy)
+                changes[one] = (
+                    x + nx * across,
+                    y + ny * across,
+                    vx + (nx * faster + a * x + b * y),
+                    vy + (ny * faster + c * x + d * y),
+                )
+            else:
                 ox, oy, ovx, ovy = changes[other]
-                ox, oy = ox + its * ovx, oy + its * ovy
-                dx, dy, dvx, dvy = x - ox, y - oy, vx - ovx, vy - ovy
+                ox, oy = ox + its_flown * ovx, oy + its_flown * ovy
+                dx, dy = x - ox, y - oy
+                across, faster = -2.0 * (nx * dx + ny * dy), -2.0 * (nx * (vx - ovx) + ny * (vy - ovy))
+                dvx, dvy = nx * faster + a * dx + b * dy, ny * faster + c * dx + d * dy
+                dx, dy = nx * across, ny * across
                 share = masses[other] / (masses[one] + masses[other])
-            across, faster = -2.0 * (nx * dx + ny * dy), -2.0 * (nx * dvx + ny * dvy)
-            dx, dy, dvx, dvy = nx * across, ny * across, nx * faster + a * dx + b * dy, ny * faster + c * dx + d * dy
-            changes[one] = (x + share * dx, y + share * dy, vx + share * dvx, vy + share * dvy)
-            if other >= 0:
+                changes[one] = (x + share * dx, y + share * dy, vx + share * dvx, vy + share * dvy)
                 share -= 1.0
                 changes[other] = (ox + share * dx, oy + share * dy, ovx + share * dvx, ovy + share * dvy)
             if number % SCALED == 0:
@@ -224,26 +239,33 @@ class _ManyBalls:
 
 def _histories(
     rows: Rows, first: Numbers, second: Numbers, mass: Floats, velocity: Floats, began: float, gravity: Floats
-) -> tuple[Floats, list[Vector]]:
+) -> tuple[Floats, tuple[Column, Column]]:
     """What balls did until they met.
 
     For two that meet, the velocity of the first one as the second has it, of shape (2, pairs); for all how long the
-    flights of both took. Rows tell the first ball's velocity alone; the other's is that after
-    its impact before, which its impulse tells.
+    flight of the first took, and that of the second. Rows tell the first ball's velocity alone; the other's is that
+    after its impact before, which its impulse tells.
     """
-    apart, flights = [], []
+    across_x: Column = []
+    across_y: Column = []
+    mine: Column = []
+    its: Column = []
     after, seen = [(x, y) for x, y in velocity.tolist()], [began] * len(mass)
     (gx, gy), masses = gravity.tolist(), mass.tolist()
-    columns = (rows[name].tolist() for name in ("time", "velocity", "normal", "impulse"))
-    for one, other, at, (x, y), (nx, ny), impulse in zip(first.tolist(), second.tolist(), *columns, strict=True):
+    columns = [rows["time"], rows["impulse"], *rows["velocity"].T, *rows["normal"].T]
+    each = zip(first.tolist(), second.tolist(), *(column.tolist() for column in columns), strict=True)
+    for one, other, at, impulse, x, y, nx, ny in each:
         passed = 0.0
         if other >= 0:
             passed = at - seen[other]
-            ox, oy = after[other][0] + gx * passed, after[other][1] + gy * passed
-            apart.append((x - ox, y - oy))
+            ox, oy = after[other]
+            ox, oy = ox + gx * passed, oy + gy * passed
+            across_x.append(x - ox)
+            across_y.append(y - oy)
             push = impulse / masses[other]
             after[other], seen[other] = (ox - push * nx, oy - push * ny), at
-        flights.append((at - seen[one], passed))
+        mine.append(at - seen[one])
+        its.append(passed)
         push = impulse / masses[one]
         after[one], seen[one] = (x + push * nx, y + push * ny), at
-    return np.array(apart).reshape(-1, 2).T.copy(), flights
+    return np.array([across_x, across_y]), (mine, its)

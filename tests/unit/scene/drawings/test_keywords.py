@@ -89,3 +89,25 @@ def test_the_world_has_options_of_its_own() -> None:
 )
 def test_a_label_is_a_name_and_then_options(text: str, name: str, options: list[tuple[str, str]]) -> None:
     assert keywords.label(text) == (name, options)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("bumper kick=4 sensor", "'sensor' after kick=: options stand at the end, without blanks: kick=4"),
+        ("cue ball=true velocity=3 4", "'4' after velocity=: options stand at the end"),
+        ("bumper kick= 4", "'4' after kick=: options stand at the end"),
+        ("bumper kick = 4", "'kick = 4': options stand at the end"),
+        ("bumper kick: 4", "'kick: 4': options stand at the end"),
+        ("arm turn-limits: -1,1", "'turn-limits: -1,1': options stand at the end"),
+    ],
+)
+def test_options_that_a_label_writes_otherwise_are_no_part_of_a_name(text: str, said: str) -> None:
+    with pytest.raises(ValueError) as caught:
+        keywords.labelled("label", text)
+    assert str(caught.value).startswith(f"label: {said}")
+
+
+@pytest.mark.parametrize("text", ["Layer 1", "Ebene: 1", "cue ball", "layer: cut", "kick 4", "a = b"])
+def test_words_that_may_be_a_name_are_one(text: str) -> None:
+    assert keywords.labelled("label", text) == (text, [])

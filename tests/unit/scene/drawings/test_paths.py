@@ -90,6 +90,7 @@ def test_a_path_of_nothing_is_nothing() -> None:
         ("L 1 1", "must begin with M, not 'L 1 1'"),
         ("M 0 0 L 3", "L takes 2 numbers at a time, not 1"),
         ("M 0 0 L", "L takes 2 numbers at a time, not 0"),
+        (" M 0 0 H 1 L 1 zero", "L takes 2 numbers at a time, not 1, in the command at character 12"),
         ("M 0 0 X 3", "must hold numbers alone, not 'X'"),
         ("M 0 0 L 1 nan", "must hold numbers alone, not 'n"),
         ("M 0 0 L 1 1e999", "must be finite"),
@@ -105,7 +106,7 @@ def test_what_is_wrong_with_a_path_is_said(data: str, said: str) -> None:
 
 @pytest.mark.parametrize("data", ["M0 0a" + "1" * 200_000, "M" + "1" * 300_000 + "x", "M0 0L" + "1e" * 100_000])
 def test_hostile_paths_take_no_time(data: str) -> None:
-    with within(2.0), pytest.raises(ValueError):
+    with within(1.0), pytest.raises(ValueError):
         subpaths(data)
 
 

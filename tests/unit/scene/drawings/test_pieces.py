@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom.scene.drawings.pieces import Conic, Course, Cubic, Matrix, Piece, Straight, is_bare
+from carom.scene.drawings.curves import fitted
+from carom.scene.drawings.pieces import Conic, Course, Cubic, Matrix, Piece, Straight, arcs_of, is_bare, is_nothing
 
 NUMBERS = st.floats(-10.0, 10.0)
 PLACES = st.tuples(NUMBERS, NUMBERS)
@@ -56,6 +57,28 @@ def test_what_is_turned_and_mirrored_is_round_and_what_is_stretched_is_not() -> 
 def test_only_what_is_no_more_than_a_place_is_bare(piece: Piece) -> None:
     assert not is_bare(piece, 1e-3)
     assert is_bare(piece.moved(Matrix(1e-6, 0.0, 0.0, 1e-6)), 1e-3)
+
+
+@pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4, 1e-6])
+def test_arcs_of_curves_are_estimated(tolerance: float) -> None:
+    curves = [
+        Cubic((0.0, 0.0), (4.0, 1.0), (6.0, -2.0), (9.0, 3.0)),
+        Cubic((0.0, 0.0), (9.0, 9.0), (-3.0, 9.0), (7.0, -2.0)),
+        Conic((0.0, 0.0), (8.0, 0.0), (0.0, 3.0), 0.0, 3.0),
+        Conic((0.0, 0.0), (8.0, 0.0), (0.0, 3.0)),
+    ]
+    for curve in curves:
+        assert 0.3 < arcs_of(curve, tolerance) / len(fitted(curve, tolerance)) < 3.0
+    assert arcs_of(Conic((0.0, 0.0), (8.0, 0.0), (0.0, 8.0)), tolerance) == 0.0
+    assert arcs_of(Straight((0.0, 0.0), (8.0, 0.0)), tolerance) == 0.0
+
+
+def test_a_whole_ellipse_is_bare_without_an_area_alone() -> None:
+    circle = Conic((1.0, 2.0), (3.0, 0.0), (0.0, 3.0))
+    assert not is_bare(circle.moved(Matrix(1e-9, 0.0, 0.0, 1e-9)), 1.0)
+    assert is_bare(circle.moved(Matrix(1.0, 0.0, 0.0, 0.0)), 0.0)
+    assert is_nothing([[], [circle.moved(Matrix(0.0, 0.0, 0.0, 0.0))]])
+    assert not is_nothing([[Straight((1.0, 1.0), (1.0, 1.0)), circle]])
 
 
 def test_the_points_of_a_whole_ellipse_are_the_corners_of_its_box() -> None:

@@ -39,12 +39,21 @@ def test_attributes_overrule_labels_and_are_known_by_the_way_they_are_written() 
     [
         ('<g inkscape:label="a kik=3"/>', "label kik: is unknown; did you mean kick?"),
         ('<g data-carom-kick="x"/>', "data-carom-kick: must be a number, not 'x'"),
+        ('<g data-carm-kick="1"/>', "data-carm-kick: is unknown; did you mean data-carom-kick?"),
+        ('<g carom-ball=""/>', "carom-ball: is unknown; did you mean data-carom-ball?"),
+        ('<g data-Carom_kick="1"/>', "data-Carom_kick: is unknown; did you mean data-carom-kick?"),
     ],
 )
 def test_what_is_wrong_begins_with_where_it_is_written(text: str, said: str) -> None:
     with pytest.raises(ValueError) as caught:
         said_by(element(text))
     assert str(caught.value) == said
+
+
+def test_attributes_that_are_not_for_carom_are_passed_over() -> None:
+    assert (
+        said_by(element('<g data-name="a" data-carousel-mass="3" color-rendering="auto" clip-path="x"/>')).options == {}
+    )
 
 
 def test_a_circle_may_mark_a_pivot() -> None:
@@ -61,3 +70,5 @@ def test_the_root_speaks_of_the_world() -> None:
         [world_of(root)[1][0]],
     )
     assert world_of(root)[1][0].startswith("data-carom-kick: is unknown; ")
+    slip = read_tree(svg("", 'carom-gravity="0 -1"').encode())
+    assert world_of(slip) == ({}, ["carom-gravity: is unknown; did you mean data-carom-gravity?"])

@@ -2,6 +2,7 @@
 
 from itertools import combinations
 from math import hypot, pi
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,9 +12,9 @@ from carom.scene.shape_descriptors import CircleDescriptor
 from carom.scene.shipped.breakout_wall import BALL_RADIUS, HEIGHT, WIDTH, breakout
 
 
-def bricks() -> list[CircleDescriptor]:
+def bricks(**sizes: int) -> list[CircleDescriptor]:
     """The bricks of the scene."""
-    return [shape for shape in breakout().shapes if isinstance(shape, CircleDescriptor)]
+    return [shape for shape in breakout(**sizes).shapes if isinstance(shape, CircleDescriptor)]
 
 
 def test_bricks_are_gone_after_one_bounce_and_have_names_of_their_own() -> None:
@@ -30,6 +31,37 @@ def test_no_two_bricks_touch_and_no_ball_fits_between_neighbours_of_a_row() -> N
     assert places[:, 0].min() - radius > 0.0
     assert places[:, 0].max() + radius < WIDTH
     assert places[:, 1].max() + radius + 2.0 * BALL_RADIUS < HEIGHT, "a ball has room above them"
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (3, 4), (7, 11), (14, 24)])
+def test_rows_and_columns_may_be_others_and_bricks_keep_apart(rows: int, columns: int) -> None:
+    made = bricks(rows=rows, columns=columns)
+    assert len(made) == rows * columns - rows // 2
+    places, radius = np.array([brick.center for brick in made]), made[0].radius
+    assert min((hypot(*(a - b)) for a, b in combinations(places, 2))) > 2.0 * radius
+    assert places[:, 0].min() - radius > 0.0
+    assert places[:, 0].max() + radius < WIDTH
+    assert places[:, 1].max() + radius + 2.0 * BALL_RADIUS < HEIGHT
+
+
+def test_a_ball_may_be_as_fast_as_is_asked() -> None:
+    world = breakout(speed=9.0).build()
+    assert hypot(*world.balls[0].velocity) == pytest.approx(9.0)
+    assert world.max_speed == 18.0
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"rows": 8}, r"rows must be from 1 to 7 \(of bricks this large, 11 in one\), not 8"),
+        ({"columns": 1}, "columns must be from 2 to 24, not 1"),
+        ({"speed": 0.0}, "speed must be positive, not 0.0"),
+        ({"column": 4}, "did you mean columns"),
+    ],
+)
+def test_walls_that_cannot_be_are_refused(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(carom.InvalidArgument, match=told):
+        breakout(**given)
 
 
 def test_room_and_paddle_need_no_guard_points() -> None:

@@ -68,7 +68,10 @@ def test_how_fast_balls_meet_is_told_for_every_pair() -> None:
     assert -2.0 * across * one * other / (one + other) == pytest.approx(rows["impulse"][pairs])
     for ball in range(9):  # the flights of each end where it hits, one after the other
         mine = (first == ball) | (second == ball)
-        lasted = [flight[0] if one == ball else flight[1] for one, flight in zip(first, flights, strict=True)]
+        lasted = [
+            flight[0] if one == ball else flight[1]
+            for one, flight in zip(first, zip(*flights, strict=True), strict=True)
+        ]
         assert np.cumsum(np.array(lasted)[mine]) == pytest.approx(rows["time"][mine])
 
 

@@ -48,6 +48,44 @@ def test_exponents_are_the_same_however_orbits_are_divided(monkeypatch: pytest.M
     assert other.exponents == pytest.approx(one.exponents, rel=1e-5)
 
 
+def by_curvatures(name: str, n: int, hits: int) -> np.ndarray[Any, Any]:
+    """The greatest exponents of orbits from the curvature of the front that diverges from one place of each.
+
+    In a flight of length τ a front of the curvature B becomes 1 + τ B times as wide; a wall of the curvature K makes it
+    B + 2 K/cos φ. Source: Ya. G. Sinai, Russ. Math. Surv. 25, 137, 1970; N. Chernov and R. Markarian, 2006.
+    """
+    table = study.table(name)
+    (batch,) = ensembles.batches(table, table.random_starts(n, 1), 1.0)
+    free, end = batch.free_time, hits * batch.free_time
+    parts = [batch.flights(share * end) for share in (spectra.SETTLING, 1.0 - spectra.SETTLING)]
+    found, radius = [], float(batch.world.balls.radius[0])
+    walls = {shape.id: shape for shape in batch.world.shapes}
+    for orbit in range(n):
+        before, curvature, width, looked = 0.0, 1.0, 0.0, []
+        for part, last in zip(parts, (spectra.SETTLING * end, end), strict=True):
+            begin = int(part.counts[:orbit].sum())
+            for hit in part.ends[begin : begin + part.counts[orbit]]:
+                wider = 1.0 + (hit["time"] - before) * curvature
+                width, curvature, before = width + log(abs(wider)), curvature / wider, hit["time"]
+                wall = walls[int(hit["shape"])]
+                if not isinstance(wall, carom.Segment):
+                    out = wall.kind != "point" and np.dot(hit["point"] - wall.center, hit["normal"]) > 0.0
+                    bent = 1.0 / (wall.radius + radius) if out else -1.0 / (wall.radius - radius)
+                    curvature -= 2.0 * bent / float(np.dot(hit["normal"], hit["velocity"]))
+            wider = 1.0 + (last - before) * curvature
+            width, curvature, before = width + log(abs(wider)), curvature / wider, last
+            looked.append(width + 0.5 * log(1.0 + (free * curvature) ** 2))
+        found.append((looked[1] - looked[0]) / ((1.0 - spectra.SETTLING) * end))
+    return np.array(found)
+
+
+@pytest.mark.parametrize("name", ["sinai", "lorentz", "stadium"])
+def test_the_exponent_of_each_orbit_is_that_of_its_fronts(name: str) -> None:
+    found = study.lyapunov(name, n=10, hits=80, seed=1)
+    assert found.exponents == pytest.approx(by_curvatures(name, 10, 80), abs=2e-5)
+    assert found.exponents.min() > 0.1
+
+
 #: P. Gaspard and F. Baras, Phys. Rev. E 51, 5332, 1995, figure 7: the exponent by the gap between scatterers of radius
 #: 1, as test/lyapunov.jl of DynamicalBilliards.jl reads it, to a tenth.
 GASPARD_AND_BARAS = {0.5: 1.4, 1.0: 0.8, 1.5: 0.6, 2.0: 0.5}
@@ -97,6 +135,17 @@ def test_an_ellipse_of_arcs_comes_to_zero_with_its_tolerance() -> None:
     coarse, fine = (study.lyapunov(scenes.ellipse(tolerance=t), n=50, hits=100, seed=1) for t in (1e-3, 1e-8))
     assert coarse.spectrum[0] > 4.0 * coarse.error[0]
     assert abs(fine.spectrum[0]) < 2.0 * fine.error[0]
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_an_ellipse_of_arcs_has_hardly_any_chaos_in_long_runs_either() -> None:
+    coarse, fine = (study.lyapunov(scenes.ellipse(tolerance=t), n=40, hits=1000, seed=1) for t in (1e-5, 1e-9))
+    assert coarse.spectrum[0] > 5.0 * coarse.error[0]
+    assert fine.spectrum[0] < 0.5 * coarse.spectrum[0]
+    # A stadium of about its size has .21 a second.
+    stadium = study.lyapunov("stadium", n=40, hits=1000, seed=1).spectrum[0]
+    assert fine.spectrum[0] < 0.05 * stadium
 
 
 @pytest.mark.parametrize(
