@@ -216,6 +216,15 @@ def leave_points(
             place = int(relations[place]["next"])
 
 
+def is_walked_over(
+    ball: BallRow, flight: FlightRow, shape: ShapeRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
+) -> bool:
+    """True for a point on the wall that holds a ball: rounding alone would find it in the way before that ends."""
+    if shape["kind"] != POINT or ball["relation"] == NO_RELATION:
+        return False
+    return is_on_wall_of(ball, flight, shape, shapes, relations)
+
+
 def is_on_wall_of(
     ball: BallRow, flight: FlightRow, point: Row, shapes: Table[ShapeRow], relations: Table[RelationRow]
 ) -> bool:

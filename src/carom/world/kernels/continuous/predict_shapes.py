@@ -17,14 +17,14 @@ from carom.rows.kinds import has_ends
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
-from carom.rows.relation import NO_RELATION, RelationRow
-from carom.rows.shape import KINEMATIC, POINT, ShapeRow
+from carom.rows.relation import RelationRow
+from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.instants import later, seconds_since
-from carom.world.kernels.continuous.lasting import is_on_wall_of
+from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
@@ -243,15 +243,6 @@ def predict_members(
                 consider_shape(flight, shapes, came + time, row)
             if is_entered_past_ends(ball, shape):
                 predict_entry(ball, flight, shape, row, begin)
-
-
-def is_walked_over(
-    ball: BallRow, flight: FlightRow, shape: ShapeRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
-) -> bool:
-    """True for a point on the wall that holds a ball: rounding alone would find it in the way before that ends."""
-    if shape["kind"] != POINT or ball["relation"] == NO_RELATION:
-        return False
-    return is_on_wall_of(ball, flight, shape, shapes, relations)
 
 
 def age_of_rest(shape: ShapeRow, flight: FlightRow) -> float:

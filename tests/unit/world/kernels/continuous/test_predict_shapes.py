@@ -151,6 +151,20 @@ def test_what_a_ball_passes_senses_or_lies_on_is_not_met(kind: int, related: int
     assert flight["event"] == (NOTHING if related else HIT_SHAPE)
 
 
+@pytest.mark.parametrize("held", [False, True])
+def test_a_point_on_the_wall_that_holds_a_ball_is_in_its_way_when_the_wall_has_ended(held: bool) -> None:
+    # It is a little too near, by rounding say, so it touches the point before its foot has come to the end.
+    wall, end, ball = Segment((-5, 0), (0, 0)), Point((0, 0)), Ball((-1, 0.5 - 1e-13), 0.5, (1, 0))
+    arrays = in_flight(continuous_world(wall, end, ball, gravity=(0, -1)))
+    if held:
+        add_relation(arrays.states[0], arrays.relations, arrays.balls.rows[0], 0, LASTING, 0)
+    arrays.flights["ay"][0] = 0.0
+    flight = arrays.flights[0]
+    flight["event"] = NOTHING
+    predict_shapes(arrays.states[0], arrays.balls.rows[0], flight, *film_tables(arrays), arrays.relations, 0.0)
+    assert (flight["event"] == HIT_SHAPE and flight["partner"] == 1) != held
+
+
 def test_sensors_with_ends_alone_are_entered_past_them() -> None:
     for shape, ball, entered in (
         (Segment((0, 0), (1, 0)), Ball((0, 3), 1), False),
