@@ -70,6 +70,9 @@ def deal_with(
         return
     from_x, from_y, age = float(ball["x"]), float(ball["y"]), age_now(state, flight)
     arrive(state, balls, shapes, index, cells, members, flights, relations, i)
+    if event == HIT_SHAPE:
+        # What it meets it has not come into past an end, though one that slides may be a little in it.
+        drop_kind(state, relations, ball, PASSING, partner)
     second = partner if of_two else NO_BALL
     struck, changed = event == HIT_BALL, event == HIT_BALL or event == LEAVE or event == STOP
     if of_two:

@@ -50,6 +50,16 @@ def test_an_impact_turns_the_ball_and_the_next_one_is_foreseen() -> None:
     assert foreseen(arrays) == (HIT_SHAPE, 4.5, 0.0, 1)
 
 
+def test_what_a_ball_meets_it_does_not_pass_though_it_comes_to_it_a_little_late() -> None:
+    arrays = in_flight(continuous_world(Segment((0, -5), (0, 5)), Ball((3, 6), 1, velocity=(-2, -2))))
+    heads = foresee_all(arrays)
+    assert foreseen(arrays) == (HIT_SHAPE, 1.0, 0.0, 0)
+    arrays.flights["event_time"][0] = 1.01
+    dealt(arrays, heads, 0)
+    assert (arrays.states[0]["hits"], arrays.balls.rows["vx"][0]) == (1, 2)
+    assert not find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0)
+
+
 def test_an_impact_of_two_begins_new_flights_of_both() -> None:
     arrays = in_flight(continuous_world(Ball((0, 0), 1, velocity=(1, 0)), Ball((5, 0), 1), Ball((20, 0), 1)))
     heads = foresee_all(arrays)
