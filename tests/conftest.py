@@ -28,8 +28,13 @@ TESTS = Path(__file__).resolve().parent
 #: Where no test steps a world or asks it anything. Of two processes, one goes through these while the other, which
 #: begins in the middle, waits for the compiler.
 WITHOUT_KERNELS = ("conventions", "typing", "unit/geometry", "unit/shapes", "unit/scene", "unit/test_")
-#: What in these does: the code of pages, a world that is described, bricks that are hit.
-WITH_KERNELS = ("conventions/test_texts", "unit/scene/test_capture", "unit/shapes/test_group")
+#: What in these does: the code of pages, a world that is described, one that has run, bricks that are hit.
+WITH_KERNELS = (
+    "conventions/test_texts",
+    "unit/scene/drawings/test_reading",
+    "unit/scene/test_capture",
+    "unit/shapes/test_group",
+)
 
 # Tests of Ctrl-C, and the programs that they start, need it heeded even where the tests were started in the background.
 signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -82,16 +82,17 @@ def test_a_kernel_is_compiled_once_and_its_begin_and_end_are_told(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert not child.compiling()
-    assert child.ask(step_one)
-    assert child.busy_with(step_one)
+    assert child.ask(waits)
+    assert child.busy_with(waits)
     assert child.compiling()
+    (folder / "go").touch()
     until(over)
-    assert not child.busy_with(step_one)
-    assert not child.ask(step_one)
+    assert not child.busy_with(waits)
+    assert not child.ask(waits)
     first, last = capsys.readouterr().err.splitlines()
-    assert first == "carom: compiling step one, once on this machine; until then it runs interpreted"
-    assert last.startswith("carom: compiled step one in ")
-    assert (folder / "done").read_text() == "step_one\n"
+    assert first == "carom: compiling waits, once on this machine; until then it runs interpreted"
+    assert last.startswith("carom: compiled waits in ")
+    assert (folder / "done").read_text() == "waits\n"
 
 
 def test_what_is_asked_for_meanwhile_comes_next_all_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
