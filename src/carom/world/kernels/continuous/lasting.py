@@ -219,8 +219,11 @@ def leave_points(
 def is_walked_over(
     ball: BallRow, flight: FlightRow, shape: ShapeRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
 ) -> bool:
-    """True for a point on the wall that holds a ball: rounding alone would find it in the way before that ends."""
-    if shape["kind"] != POINT or ball["relation"] == NO_RELATION:
+    """True for a point on the wall that holds a ball: rounding alone would find it in the way before that ends.
+
+    Balls that lie on others keep to a wall less closely, and may come onto its point before.
+    """
+    if shape["kind"] != POINT or ball["relation"] == NO_RELATION or has_kind(relations, ball, LYING):
         return False
     return is_on_wall_of(ball, flight, shape, shapes, relations)
 
