@@ -486,8 +486,11 @@ def exchange(
 
 def limit_speeds(state: StateRow, first: BallRow, second: BallRow, nx: float, ny: float) -> None:
     """Slow two balls that have met to what is allowed, but neither below the one that pushes it: they part."""
+    slowed = int(state["slowed"])
     limit_speed(state, first)
     limit_speed(state, second)
+    if state["slowed"] == slowed:
+        return
     u1 = dot(float(first["vx"]), float(first["vy"]), nx, ny)
     u2 = dot(float(second["vx"]), float(second["vy"]), nx, ny)
     if u1 > u2:

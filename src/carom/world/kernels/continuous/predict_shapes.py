@@ -231,7 +231,6 @@ def predict_members(
             and not is_moving(shape)
             and may_collide(ball, shape)
             and not is_related(relations, ball, row)
-            and not is_walked_over(ball, flight, shape, shapes, relations)
         ):
             state["full_tests"] += 1
             came = age_of_rest(shape, flight)
@@ -239,7 +238,7 @@ def predict_members(
                 time = impact_at_rest(shape, path, radius, event_age(flight))
             else:
                 time = impact_at_rest(shape, path_after(path, came), radius, event_age(flight) - came)
-            if time is not None:
+            if time is not None and not is_walked_over(ball, flight, shape, shapes, relations):
                 consider_shape(flight, shapes, came + time, row)
             if is_entered_past_ends(ball, shape):
                 predict_entry(ball, flight, shape, row, begin)
