@@ -3,12 +3,17 @@
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any
 
+import carom
 from benchmarks.common import Figure
 from carom import study
+from carom.study.measures import by_name
 from carom.study.sweeps.chunks import CHUNK_SECONDS
+from carom.study.sweeps.grid import Run
+from carom.study.sweeps.job import Job
+from carom.study.sweeps.sources import source_of
 
 TITLE = f"Sweeps: the clock's time a run, in chunks of {CHUNK_SECONDS:g} s of work"
 
@@ -28,6 +33,22 @@ def swept(folder: Path, runs: int, seconds: float, cluster: Any) -> tuple[float,
     return perf_counter() - began, sum(table["seconds"].to_pylist())
 
 
+def together(name: str, runs: int, seconds: float) -> list[Figure]:
+    """Milliseconds of the processor for a run of a shipped scene, measure and all: alone, and as one copy of many."""
+    job = Job(source_of(name), by_name("hits-by-shape"), seconds, 1 / 60, carom.__version__)
+    named = [(str(seed), Run({}, seed)) for seed in range(runs)]
+    ways = {"one by one": lambda: [job.row(*one) for one in named], "together": lambda: job.rows(named)}
+    job.rows(named[:2])
+    job.row(*named[0])
+    figures = []
+    for engine, work in ways.items():
+        began = process_time()
+        work()
+        each = 1e3 * (process_time() - began) / runs
+        figures.append(Figure(f"a run of {name}, {seconds:g} s", engine, each, "ms"))
+    return figures
+
+
 def run(quick: bool) -> list[Figure]:
     """Milliseconds a run beyond its work, in this process and by one worker; runs a second of one worker and two."""
     try:
@@ -36,7 +57,7 @@ def run(quick: bool) -> list[Figure]:
         sys.stderr.write('sweeps need dask[distributed]: pip install "carom[sweep]"\n')
         return []
     runs, seconds = (20, 0.5) if quick else (3000, 20.0)
-    figures = []
+    figures = [*together("pool", max(runs // 20, 5), seconds), *together("pinball", max(runs // 20, 5), seconds)]
     rates = {}
     with TemporaryDirectory() as name:
         folder = Path(name)

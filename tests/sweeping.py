@@ -45,6 +45,15 @@ def told(world: carom.World, hits: carom.Hits, parameters: dict[str, Any]) -> di
     return {"height": world.balls.position[0, 1], "hits": len(hits), "path": world.balls.position}
 
 
+def met(world: carom.World, hits: carom.Hits, parameters: dict[str, Any]) -> dict[str, Any]:
+    """What was met, in order, and where the balls that met it are now; moves what it was given."""
+    told = [f"{hit.ball.name} {hit.shape.name} {hit.ball.position}" for hit in hits]
+    for ball in world.balls:
+        ball.position = (0.0, 0.5)
+    world.step(1 / 60)
+    return {"met": told}
+
+
 def nonsense(world: carom.World, hits: carom.Hits, parameters: dict[str, Any]) -> Any:
     """What no table can hold."""
     return {"world": world}

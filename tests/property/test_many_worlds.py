@@ -141,6 +141,13 @@ class Copies(RuleBasedStateMachine):
         self.worlds.load(source, world)
         self.lone[target] = self.made(world.snapshot())
 
+    @rule(seed=st.integers(0, 99))
+    def store(self, seed: int) -> None:
+        source, target = np.random.default_rng(seed).integers(0, len(self.lone), 2).tolist()
+        self.worlds.store(source, self.lone[target])
+        assert self.lone[target].digest() == self.lone[source].digest()
+        self.worlds.load(target, self.lone[target])
+
     @rule()
     def keep(self) -> None:
         self.kept.append((self.worlds.snapshot(), [world.snapshot() for world in self.lone], self.counted.copy()))

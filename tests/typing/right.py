@@ -194,6 +194,7 @@ print(copies_of_it.step(1 / 60)["world"], copies_of_it.balls.position.shape)
 print(copies_of_it.shapes["left flipper"].orientation.mean())
 taken: carom.World = copies_of_it[0]
 copies_of_it.load(1, taken)
+copies_of_it.store(0, taken)
 copies_of_it.reset([0, 1])
 
 

@@ -71,3 +71,10 @@ def gathered(base: World, parts: list[tuple[Rows, Rows]]) -> CopyHits:
     if (np.diff(world) < 0).any() or ((np.diff(time) < 0.0) & (np.diff(world) == 0)).any():
         rows = rows[np.lexsort((time, world))]
     return CopyHits.of(base, rows)
+
+
+def hits_of(hits: CopyHits, copy: int, world: World) -> Hits:
+    """The hits of one copy, which `world` is now."""
+    first, last = np.searchsorted(hits["world"], (copy, copy + 1)).tolist()
+    rows = np.ascontiguousarray(hits[first:last].view(np.ndarray)).view(np.uint8).reshape(-1, COPY_HIT.itemsize)
+    return Hits.of(world, np.ascontiguousarray(rows[:, : HIT.itemsize]).view(HIT)[:, 0])

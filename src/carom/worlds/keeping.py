@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import refuse
 from carom.errors import InvalidArgument, SnapshotError
 from carom.rows.relation import NO_RELATION
 from carom.rows.state import DISCRETE
@@ -43,6 +44,20 @@ def world_of(base: World, snapshot: bytes) -> World:
     world = copy(base)
     world.restore(snapshot)
     return world
+
+
+def base_of(scene: Any) -> World:
+    """A world of its own that is what is to be copied."""
+    if isinstance(scene, World):
+        return world_of(scene, scene.snapshot())
+    from carom.scene import Scene
+    from carom.scene.shipped import by_name
+
+    if isinstance(scene, str):
+        return by_name(scene).build()
+    if not isinstance(scene, Scene):
+        raise refuse("scene", "must be a Scene, a World or the name of a shipped scene", scene)
+    return scene.build()
 
 
 def snapshot_of(base: World, arrays: Arrays) -> bytes:

@@ -78,7 +78,7 @@ class Worlds(Spelled):
         count = checks.whole("copies", copies, 1, MOST_COPIES)
         most = cores() if threads is None else checks.whole("threads", threads, 1, 1024)
         checks.flag("keep_hits", keep_hits)
-        self._base = _world_of(scene)
+        self._base = keeping.base_of(scene)
         self._origin = read(self._base.snapshot())
         arrays = keeping.fresh(self._origin)
         moving = np.flatnonzero(arrays.shapes.used["motion"] == KINEMATIC)
@@ -318,6 +318,14 @@ class Worlds(Spelled):
         self._see_changes()
         return keeping.world_of(self._base, self._snapshot_of(self._index(copy)))
 
+    @alone
+    def store(self, copy: int, world: World) -> None:
+        """Make a world of yours what the copy is: `worlds[copy]` makes a new one. Raises if it is no `World`."""
+        index = self._index(copy)
+        _check_world(world)
+        self._see_changes()
+        world.restore(self._snapshot_of(index))
+
     def __iter__(self) -> Iterator[World]:
         return (self[copy] for copy in range(len(self)))
 
@@ -331,8 +339,7 @@ class Worlds(Spelled):
             InvalidArgument: It is no world, or another one: static shapes, settings or balls are not the same.
         """
         index = self._index(copy)
-        if not isinstance(world, World):
-            raise checks.refuse("world", "must be a World", world)
+        _check_world(world)
         self._see_changes()
         self._load(index, world.snapshot())
         self._forget_lent()
@@ -449,18 +456,10 @@ def _remade(base: World, copies: int, threads: int, keep_hits: bool, snapshot: b
     return worlds
 
 
-def _world_of(scene: Any) -> World:
-    """A world of its own that is what is to be copied."""
-    if isinstance(scene, World):
-        return keeping.world_of(scene, scene.snapshot())
-    from carom.scene import Scene
-    from carom.scene.shipped import by_name
-
-    if isinstance(scene, str):
-        return by_name(scene).build()
-    if not isinstance(scene, Scene):
-        raise checks.refuse("scene", "must be a Scene, a World or the name of a shipped scene", scene)
-    return scene.build()
+def _check_world(world: Any) -> None:
+    """Raise where `world` is none."""
+    if not isinstance(world, World):
+        raise checks.refuse("world", "must be a World", world)
 
 
 def _which(name: str, where: Any, count: int) -> NDArray[Any]:

@@ -201,7 +201,25 @@ def test_only_a_world_of_the_same_scene_is_loaded() -> None:
         worlds.load(0, "world")  # type: ignore[arg-type]
     with pytest.raises(carom.InvalidArgument, match="copy must be"):
         worlds.load(2, game_table("discrete"))
+    with pytest.raises(carom.InvalidArgument, match="world must be a World"):
+        worlds.store(0, None)  # type: ignore[arg-type]
+    with pytest.raises(carom.InvalidArgument, match="copy must be"):
+        worlds.store(-3, heavier)
     assert worlds.digests() == before
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_a_world_becomes_what_a_copy_is_with_the_objects_that_it_has(detection: str) -> None:
+    world = game_table(detection)
+    worlds = carom.Worlds(world, 2, threads=1)
+    worlds.balls.velocity[1] *= 0.5
+    worlds.step(1 / 60)
+    ball, shape = world.balls[0], world.shapes["bumper"]
+    for index in (1, 0, -1):
+        worlds.store(index, world)
+        assert world.digest() == worlds.digests()[index] == worlds[index].digest()
+        assert (world.balls[0], world.shapes["bumper"]) == (ball, shape)
+    assert ball.position == tuple(worlds.balls.position[1, 0])
 
 
 def test_a_snapshot_of_other_copies_is_refused() -> None:

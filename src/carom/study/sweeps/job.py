@@ -1,23 +1,27 @@
-"""What workers do: the runs of a chunk, one after the other, each with its answer or its error."""
+"""What workers do: the runs of a chunk, each with its answer or its error."""
 
 from __future__ import annotations
 
 import os
 import pickle
 import platform
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import carom
 from carom.checks import refuse
 from carom.errors import InvalidArgument, SweepError
+from carom.study.sweeps.batches import batches, ends
 from carom.study.sweeps.grid import SEED, Run
 from carom.study.sweeps.references import function_of, source_text
 from carom.study.sweeps.sources import Source
 from carom.study.sweeps.values import NotPlain, name_of, plain, text_of
+
+if TYPE_CHECKING:
+    from carom.world import Hits, World
 
 #: Columns of a table that a measure cannot be called.
 COLUMNS = ("run", SEED, "digest", "seconds")
@@ -76,19 +80,53 @@ class Job:
             "parameters": name_of(ids),
         }
 
+    def rows(self, named: Sequence[tuple[str, Run]]) -> list[Row]:
+        """What comes of runs with their ids, in their order."""
+        rows: dict[int, Row] = {}
+        for places in batches(self.source, [run for _, run in named]):
+            rows.update(zip(places, self._batch([named[place] for place in places]), strict=True))
+        return [rows[place] for place in range(len(named))]
+
     def row(self, name: str, run: Run) -> Row:
         """What comes of the run of id `name`; whatever it raises is told in the row."""
         began = perf_counter()
         try:
             world = self.source.of(run).build()
             hits = world.run(self.seconds, dt=self.dt)
+        except (Exception, SystemExit) as error:  # noqa: BLE001  # whatever a user's function may raise
+            return _failed(name, error, began)
+        return self._measured(name, run, world, hits, began)
+
+    def _batch(self, named: Sequence[tuple[str, Run]]) -> list[Row]:
+        """What comes of runs that may be copies of one world."""
+        if len(named) == 1:
+            return [self.row(*named[0])]
+        began, rows = perf_counter(), list[Row]()
+        try:
+            ended = ends([self.source.of(run) for _, run in named], self.seconds, self.dt)
+            for (name, run), end in zip(named, ended, strict=True):
+                rows.append(self.row(name, run) if end is None else self._measured(name, run, *end, perf_counter()))
+        except Exception:  # noqa: BLE001  # one of them fails: each for itself tells which, and how
+            return [self.row(name, run) for name, run in named]
+        # The work that was done for all.
+        shared = (perf_counter() - began - sum(row.seconds for row in rows)) / len(rows)
+        return [replace(row, seconds=row.seconds + shared) for row in rows]
+
+    def _measured(self, name: str, run: Run, world: World, hits: Hits, began: float) -> Row:
+        """What is measured of a world at its end; whatever that raises is told in the row."""
+        try:
             digest = world.digest()
             measured = checked(function_of(self.measure)(world, hits, dict(run.given)), run)
-            return Row(name, measured, digest, None, perf_counter() - began)
         except (Exception, SystemExit) as error:  # noqa: BLE001  # whatever a user's function may raise
-            told = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-            told = told.encode("utf-8", "replace").decode()
-            return Row(name, None, None, told, perf_counter() - began, isinstance(error, Nonsense))
+            return _failed(name, error, began)
+        return Row(name, measured, digest, None, perf_counter() - began)
+
+
+def _failed(name: str, error: BaseException, began: float) -> Row:
+    """The row of a run that raised."""
+    told = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    told = told.encode("utf-8", "replace").decode()
+    return Row(name, None, None, told, perf_counter() - began, isinstance(error, Nonsense))
 
 
 def checked(measured: Any, run: Run) -> str:
@@ -136,4 +174,4 @@ def run_chunk(packed: bytes, chunk: list[tuple[str, Run]]) -> tuple[list[Row], s
     # Nobody watches a worker: it waits for the compiler, once on its machine.
     os.environ.setdefault("CAROM_COMPILE", "wait")
     job = _loaded(packed)
-    return [job.row(name, run) for name, run in chunk], f"{platform.node()}:{os.getpid()}"
+    return job.rows(chunk), f"{platform.node()}:{os.getpid()}"

@@ -67,8 +67,26 @@ class Source:
         scene = with_values(
             scene, [(steps, value) for name, value in paths.items() for steps in places_of(scene, name)]
         )
-        seeded = self.scene is None and (not self.is_shipped or SEED in self.arguments)
-        return scene if run.seed is None or seeded else spread(scene, run.seed)
+        return scene if run.seed is None or self.is_seeded else spread(scene, run.seed)
+
+    @property
+    def is_seeded(self) -> bool:
+        """Whether the function takes a seed; else seeds spread the balls."""
+        return self.scene is None and (not self.is_shipped or SEED in self.arguments)
+
+    def likeness(self, run: Run) -> str | None:
+        """What is the same in all runs whose scenes differ from that of `run` only in where balls are and how fast.
+
+        None where that cannot be told: a function of the user's may make anything of the parameters.
+        """
+        if self.scene is None and not self.is_shipped:
+            return None
+        try:
+            scene = self._base(run)
+            shared = {name: value for name, value in run.parameters.items() if not _is_motion(scene, name)}
+        except Exception:  # noqa: BLE001  # the run will say what is wrong
+            return None
+        return text_of({**shared, SEED: run.seed} if self.is_seeded else shared)
 
     def _base(self, run: Run) -> Scene:
         """The scene of a run before values are set by path."""
@@ -119,6 +137,13 @@ def source_of(given: Any) -> Source:
             raise InvalidArgument(f"scene {given!r}: no such file, and no shipped scene of that name; {said}")
         return Source(Scene.load(given), "")
     return Source(None, reference_of("scene", given))
+
+
+def _is_motion(scene: Scene, name: str) -> bool:
+    """Whether a parameter sets nothing but places or velocities of balls."""
+    return is_path(name) and all(
+        steps[0] == "balls" and steps[2] in ("position", "velocity") for steps in places_of(scene, name)
+    )
 
 
 @lru_cache(maxsize=8)

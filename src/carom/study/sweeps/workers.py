@@ -57,7 +57,7 @@ class Sent:
 def serial_answers(sent: Sent, chunks: Chunks) -> Iterator[Answer]:
     """The answers of this process, chunk by chunk."""
     while chunk := chunks.next(0):
-        rows = [sent.job.row(name, run) for name, run in sent.of(chunk)]
+        rows = sent.job.rows(sent.of(chunk))
         chunks.done(len(rows), sum(row.seconds for row in rows))
         yield Answer(rows, chunk.attempt, "this process")
 
