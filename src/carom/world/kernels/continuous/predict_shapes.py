@@ -115,12 +115,23 @@ def predict_on_way(
         if begin >= event_age(flight):
             return
         vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
-        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, (1.0 - SEARCH_MARGIN) * side)
+        clear = cells_clear(state, entry, cells, x, y)
+        way = (1.0 - SEARCH_MARGIN) * side * max(clear, 1)
+        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, way)
         if not end > begin:
             return
-        predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
+        if clear == 0:
+            predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
         begin = end
     consider(flight, begin, LOOK, NO_BALL)
+
+
+def cells_clear(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
+    """How many cells' widths a ball at (x, y) can go, whichever way, and come to no cell that has members."""
+    if entry["measured"] == 0:
+        return 0
+    cell = locate(state, entry, cells, x, y)
+    return max(int(cells[cell]["clear"]) - 1, 0) if cell >= 0 else 0
 
 
 def time_into_box(path: Path, begin: float, left: float, bottom: float, right: float, top: float) -> float:
