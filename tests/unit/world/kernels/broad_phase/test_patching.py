@@ -58,6 +58,22 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
     assert sum(map(len, found[1])) > 50
 
 
+def test_one_of_many_at_the_edge_goes_and_comes_like_any_other() -> None:
+    world = field()
+    world.add(*(carom.Segment((-2, y), (-2, y + 1)) for y in range(-2, 8)), carom.Segment((8, -2), (8, 8)))
+    prepare_index(world, RADIUS)
+    world._arrays.states[0]["index_stale"] = 0
+    patched(world)
+    for change in (
+        lambda: world.remove(world.shapes[0]),
+        lambda: world.remove(world.shapes[-4]),
+        lambda: world.add(carom.Segment((3, 8), (4, 8))),
+    ):
+        change()
+        assert patched(world)
+        assert cells_of(world._arrays) == made_anew(world._arrays)
+
+
 def test_the_cells_are_laid_anew_where_the_outermost_goes_or_comes() -> None:
     for change in (
         lambda world: world.remove(world.shapes[0]),
