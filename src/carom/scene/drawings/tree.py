@@ -70,6 +70,8 @@ class _Reader:
             self._parser.Parse(data, True)
         except ExpatError as error:
             raise SceneError(f"line {error.lineno}: is not well-formed XML: {ErrorString(error.code)}") from None
+        except SceneError:
+            raise
         except (LookupError, ValueError) as error:  # of an encoding that there is not
             raise SceneError(f"line 1: is not well-formed XML: {error}") from None
         if self.root is None:
