@@ -156,7 +156,8 @@ def test_a_part_as_freecad_exports_it_comes_out_without_its_dimensions(tmp_path:
             <g id="Hole" transform="translate(2.0,62.0) scale(1,-1)"><path {line}
               d="M 12.0 10.0 A 2.0 2.0 0.0 0 0 8.0 10.0 A 2.0 2.0 0.0 0 0 12.0 10.0 "/></g>
             <g id="Dimension"><g freecad:basepoint1="0 0" freecad:basepoint2="30 0" freecad:dimpoint="15 -9">
-              <path {line} d="M 0 -9 L 30 -9"/><text>30.00</text></g></g><path freecad:dimpoint="3 4" {line} d="M 0 0 L 30 9"/>""",
+              <path {line} d="M 0 -9 L 30 -9"/><text>30.00</text></g></g>
+            <path freecad:dimpoint="3 4" {line} d="M 0 0 L 30 9"/>""",
             'width="104mm" height="64mm" viewBox="0 0 104 64"'
             ' xmlns:freecad="https://wiki.freecad.org/index.php?title=Svg_Namespace"',
         )
