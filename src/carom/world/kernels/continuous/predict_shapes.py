@@ -207,6 +207,8 @@ def predict_slice(
             cell = fourth if fourth != first and fourth != second and fourth != third else -1
         if cell >= 0:
             low, high = cell_span(cells, cell)
+            if low == high:
+                continue
             if moving:
                 predict_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
             else:
