@@ -205,10 +205,11 @@ def _is_tip(cubic: Cubic, t: float) -> bool:
 
 def _directions(cubic: Cubic, t: float, tip: bool = True) -> tuple[complex, complex]:
     """The unit vectors in which the cubic comes to t and leaves it."""
-    slope, second = cubic.slope(t), cubic.second(t)
     if not tip:
+        slope = cubic.slope(t)
         along = slope / abs(slope)
         return along, along
+    second = cubic.second(t)
     if abs(second) > UNBENT * cubic.size():
         along = second / abs(second)
         return -along, along
