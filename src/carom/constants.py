@@ -89,8 +89,8 @@ TREE_COPIES_OF_BALLS = 2
 TREE_COPIES_OF_SHAPES = 3
 
 #: Cells per shape, and cells at most, of the grid that finds the shapes near a ball: more cells, shorter lists and more
-#: memory (32 bytes a cell). Changes the speed alone.
-INDEX_CELLS_PER_SHAPE = 64
+#: memory (48 bytes a cell). Changes the speed alone.
+INDEX_CELLS_PER_SHAPE = 16
 INDEX_CELLS_MOST = 65536
 
 #: Balls up to this many look at each kinematic shape's box: to file a shape in cells whenever it moves takes as long as

@@ -159,9 +159,12 @@ def check(scene: str) -> None:
         )
         typer.echo(f"{source.name}: good: {frames}, {balls}, {report.counted(len(source.recording.hits), 'hit')}")
         return
-    world = source.scene().build()
-    shapes, balls = report.counted(len(world.shapes), "shape"), report.counted(len(world.balls), "ball")
-    typer.echo(f"{source.name}: good: {shapes}, {balls}")
+    described = source.scene()
+    world = described.build()
+    shapes, balls = report.counted(len(described.shapes), "shape"), report.counted(len(world.balls), "ball")
+    added = len(world.shapes) - len(described.shapes)
+    guards = f", {report.counted(added, 'guard point')}" if added else ""
+    typer.echo(f"{source.name}: good: {shapes}{guards}, {balls}")
 
 
 def print_schema() -> None:

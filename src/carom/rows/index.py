@@ -23,6 +23,7 @@ class IndexRow(TypedDict):
     free_right: f8
     free_top: f8
     longest: i8  # members of the fullest cell
+    measured: i8  # whether it is known how far a grid's cells are from those with members: `clear`
     columns: i8
     lines: i8
     cells_begin: i8
@@ -50,6 +51,7 @@ class CellRow(TypedDict):
     begin: i4
     end: i4
     depth: i4  # in a quadtree; of a grid's cell, members that are to come
+    clear: i8  # of a grid's cell: columns or lines to the nearest one with members, at most
     marks: i8  # of a grid's cell: a bit for each of its parts, set where the box of a member is in reach
 
 

@@ -59,62 +59,73 @@ class Piece:
         return _ends(self.shape)[1 if self.forward else 0]
 
 
-def boundary_of(hits: Hits, outline: Any) -> Boundary:
-    """What `Hits.boundary` returns."""
-    pieces = _pieces_of(hits._world, outline)
-    places, on = places_of(pieces, hits["shape"])
-    on &= hits["kind"] != EXIT
-    found = hits if on.all() else hits[on]
-    return Boundary(found, *coordinates(pieces, found.view(np.ndarray), places if on.all() else places[on]))
+class Track:
+    """Pieces of outlines, one after the other, where hits on them are: as they are when this is made.
 
+    Of each: how long it is and where along all of them it begins, a place and a direction by which hits on it are
+    measured. For a segment these are its first end and its tangent; for an arc or a circle the centre, and its radius
+    and the angle of its first end.
+    """
 
-def places_of(pieces: list[Piece], shapes: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Which piece each of some shapes is, by their ids, and whether it is one at all."""
-    ids = np.array([piece.shape.id for piece in pieces])
-    by_id = np.argsort(ids)
-    places = by_id[np.minimum(np.searchsorted(ids[by_id], shapes), len(ids) - 1)]
-    return places, ids[places] == shapes
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        """Look at the pieces."""
+        shapes = [piece.shape for piece in pieces]
+        self._ids = np.array([shape.id for shape in shapes])
+        self._lengths = np.array([shape.length for shape in shapes])
+        self._straight = np.array([isinstance(shape, Segment) for shape in shapes])
+        self._measures = np.array([_measures(shape) for shape in shapes]).T
+        forward = np.array([piece.forward for piece in pieces])
+        # A piece that is gone along backwards begins at its far end.
+        self._begins = np.cumsum([0.0, *self._lengths[:-1]]) + np.where(forward, 0.0, self._lengths)
+        self._ways = np.where(forward, 1.0, -1.0)
 
+    def places_of(self, shapes: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+        """Which piece each of some shapes is, by their ids, and whether it is one at all."""
+        by_id = np.argsort(self._ids)
+        places = by_id[np.minimum(np.searchsorted(self._ids[by_id], shapes), len(self._ids) - 1)]
+        return places, self._ids[places] == shapes
 
-def coordinates(
-    pieces: list[Piece], rows: Rows, places: NDArray[np.intp]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How far along the pieces, one after the other, each hit is that is on the piece so given, and its sine."""
-    lengths = np.array([piece.shape.length for piece in pieces])
-    along, tangent_x, tangent_y = _along(pieces, lengths, rows["point"], places)
-    forward = np.array([piece.forward for piece in pieces])
-    # A piece that is gone along backwards begins at its far end.
-    begins = np.concatenate([[0.0], np.cumsum(lengths)[:-1]]) + np.where(forward, 0.0, lengths)
-    ways = np.where(forward, 1.0, -1.0)[places]
-    along = begins[places] + ways * along
-    return along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y)
+    def coordinates(self, rows: Rows, places: NDArray[np.intp]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """How far along all pieces each hit is that is on the piece so given, and its sine."""
+        along, tangent_x, tangent_y = self._along(rows["point"], places)
+        ways = self._ways[places]
+        along = self._begins[places] + ways * along
+        return along, ways * _parts_along(rows["velocity"], tangent_x, tangent_y)
 
-
-def _along(
-    pieces: list[Piece], lengths: NDArray[np.float64], points: NDArray[np.float64], places: NDArray[np.intp]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """How far each point is along its piece from that one's first end, and the piece's unit tangent there, x and y."""
-    x, y = np.ascontiguousarray(points[:, 0]), np.ascontiguousarray(points[:, 1])
-    along, tangent_x, tangent_y = np.empty(len(x)), np.empty(len(x)), np.empty(len(x))
-    by_piece = np.argsort(places, kind="stable")
-    begins = np.searchsorted(places, np.arange(len(pieces) + 1), sorter=by_piece)
-    for number, piece in enumerate(pieces):
-        mine = by_piece[begins[number] : begins[number + 1]]
-        shape = piece.shape
-        if isinstance(shape, Segment):
-            (ax, ay), (tx, ty) = shape.p0, shape.t0
-            along[mine] = (x[mine] - ax) * tx + (y[mine] - ay) * ty
-            tangent_x[mine], tangent_y[mine] = tx, ty
-        else:
-            (cx, cy), radius = shape.center, shape.radius
-            dx, dy = x[mine] - cx, y[mine] - cy
-            first = shape.start_angle if isinstance(shape, Arc) else 0.0
+    def _along(
+        self, points: NDArray[np.float64], places: NDArray[np.intp]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """How far each point is along its piece from that one's first end, and the piece's unit tangent, x and y."""
+        lengths = self._lengths[places]
+        x, y, tangent_x, tangent_y = self._measures[:, places]
+        dx, dy = points[:, 0] - x, points[:, 1] - y
+        along = dx * tangent_x + dy * tangent_y
+        bent = np.flatnonzero(~self._straight[places])
+        if len(bent):
+            dx, dy, radius, first = dx[bent], dy[bent], tangent_x[bent], tangent_y[bent]
             turned = np.mod(np.arctan2(dy, dx) - first, TWO_PI)
             # What rounding has put before the first end comes out as almost a whole turn.
-            along[mine] = radius * np.where(TWO_PI - turned < turned - lengths[number] / radius, 0.0, turned)
+            before = TWO_PI - turned < turned - lengths[bent] / radius
+            along[bent] = radius * np.where(before, 0.0, turned)
             away = np.sqrt(dx * dx + dy * dy)
-            tangent_x[mine], tangent_y[mine] = -dy / away, dx / away
-    return np.clip(along, 0.0, lengths[places]), tangent_x, tangent_y
+            tangent_x[bent], tangent_y[bent] = -dy / away, dx / away
+        return np.clip(along, 0.0, lengths), tangent_x, tangent_y
+
+
+def boundary_of(hits: Hits, outline: Any) -> Boundary:
+    """What `Hits.boundary` returns."""
+    track = Track(_pieces_of(hits._world, outline))
+    places, on = track.places_of(hits["shape"])
+    on &= hits["kind"] != EXIT
+    found = hits if on.all() else hits[on]
+    return Boundary(found, *track.coordinates(found.view(np.ndarray), places if on.all() else places[on]))
+
+
+def _measures(shape: Segment | Arc | Circle) -> tuple[float, float, float, float]:
+    """What hits on a shape are measured by: see `Track`."""
+    if isinstance(shape, Segment):
+        return *shape.p0, *shape.t0
+    return *shape.center, shape.radius, shape.start_angle if isinstance(shape, Arc) else 0.0
 
 
 def _parts_along(

@@ -21,7 +21,7 @@ from carom.rows.shape import BALL_KIND, SHAPE, STATIC, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
-from carom.world.layout import Layout
+from carom.world.layout import MOST_CHANGES, Layout
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -79,7 +79,8 @@ class WorldTable(RowTable[R]):
 
     def append(self, lone: list[bytes], ids: Sequence[int]) -> None:
         """Add rows, which come as bytes, with other ids; these must be higher than those that are there."""
-        self.reserve(self.count + len(ids))
+        # Steps look behind the rows for those of shapes that have gone: with room for a few, the first does not wait.
+        self.reserve(self.count + len(ids) + min(len(ids), MOST_CHANGES))
         first, self.count = self.count, self.count + len(ids)
         words = self.rows.view(np.uint64).reshape(len(self.rows), -1)
         words[first : self.count] = np.frombuffer(b"".join(lone), np.uint64).reshape(len(ids), -1)

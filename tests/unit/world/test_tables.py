@@ -53,6 +53,17 @@ def test_many_balls_take_no_more_rows_than_they_need() -> None:
     assert len(world._arrays.balls.rows) == 1000
 
 
+def test_a_map_has_room_for_a_few_shapes_that_go() -> None:
+    world = carom.World()
+    shapes = [carom.Point((x, 0)) for x in range(600)]
+    world.add(*shapes)
+    world.step(0.01)
+    rows = world._arrays.shapes.rows
+    world.remove(*shapes[5:40])
+    world.step(0.01)
+    assert world._arrays.shapes.rows is rows
+
+
 def test_shapes_are_met_in_the_order_of_motion_then_kind_then_adding() -> None:
     world = carom.World()
     given = [

@@ -2,23 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import cos, sin
 from typing import Any
 
 from carom.geometry.arc import arc_ends
 from carom.scene.drawings.joints import OF_HANDLE
-from carom.scene.drawings.pieces import Conic, Course, Cubic, Vector
+from carom.scene.drawings.pieces import Conic, Course, Cubic, Piece, Vector
 from carom.shapes.arc import Arc
-from carom.shapes.outlines.curves import bezier_chain, fit_chain
+from carom.shapes.outlines.curves import Chain, bezier_chain, bezier_chains, fit_chain
 from carom.shapes.outlines.walls import figures
 
 
-def fitted(piece: Conic | Cubic | Course, tolerance: float) -> list[tuple[str, dict[str, Any]]]:
+def chains_of(pieces: Iterable[Piece], tolerance: float) -> dict[int, Chain]:
+    """What `fitted` takes as a chain, by the ids of those pieces that have one: many at once take less time."""
+    cubics = [piece for piece in pieces if isinstance(piece, Cubic)]
+    chains = bezier_chains([cubic.points() for cubic in cubics], (1.0 - OF_HANDLE) * tolerance)
+    return {id(cubic): chain for cubic, chain in zip(cubics, chains, strict=True) if chain is not None}
+
+
+def fitted(
+    piece: Conic | Cubic | Course, tolerance: float, chain: Chain | None = None
+) -> list[tuple[str, dict[str, Any]]]:
     """The kind and the geometry of the arcs and segments that stand for a curve, no farther off than `tolerance`.
 
-    Raises `InvalidArgument` where the tolerance is finer than the rounding of the curve's coordinates.
+    `chain` are the arcs where they are known. Raises `InvalidArgument` where the tolerance is finer than the rounding
+    of the curve's coordinates.
     """
-    if isinstance(piece, Cubic):
+    if chain is not None:
+        pass
+    elif isinstance(piece, Cubic):
         chain = bezier_chain(piece.points(), (1.0 - OF_HANDLE) * tolerance)
     elif isinstance(piece, Conic):
         chain = fit_chain(

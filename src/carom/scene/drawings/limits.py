@@ -13,5 +13,5 @@ MOST_EXPANDED = 2_000_000
 LONGEST_ENTITY = 1000
 #: Lengths: a drawing that is larger is a slip, and its squares would not fit.
 FARTHEST = 1e100
-#: Arcs that curves become, all taken together, as they are estimated beforehand: each takes a tenth of a millisecond.
+#: Arcs that curves become, all taken together, as they are estimated beforehand: each takes a kilobyte and a half.
 MOST_ARCS = 250_000

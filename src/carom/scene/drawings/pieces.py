@@ -190,7 +190,8 @@ def is_nothing(outlines: list[list[Piece]]) -> bool:
 def arcs_of(piece: Piece, tolerance: float) -> float:
     """About how many arcs stand for a piece within a tolerance; 0 of what is straight or round.
 
-    An arc deviates by the cube of its length, so they are as many as the root of the curve's length in tolerances.
+    An arc deviates by the cube of its length, so they are as many as the root of the curve's length in tolerances. They
+    come in pairs.
     """
     if isinstance(piece, Straight) or (isinstance(piece, Conic) and piece.round):
         return 0.0
@@ -198,4 +199,4 @@ def arcs_of(piece: Piece, tolerance: float) -> float:
     length = sum(map(dist, points, points[1:]))
     if isinstance(piece, Conic) and piece.whole:
         length *= pi
-    return 1.0 + 0.6 * float((length / tolerance) ** (1.0 / 3.0))
+    return max(2.0, 1.0 + 0.6 * float((length / tolerance) ** (1.0 / 3.0)))

@@ -82,8 +82,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
         if body.parts:
             _join(body.parts, used)
     shaper = Shaper(faults, used)
-    for body in drawing.bodies:
-        shaper.add(body)
+    shaper.add_all(drawing.bodies)
     world = _world(drawing)
     if faults.count:
         raise faults.error()

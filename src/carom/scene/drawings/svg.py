@@ -34,6 +34,8 @@ UNHEARD = {
     "marker-mid": "marker",
     "marker-end": "marker",
 }
+#: How the name of an attribute ends that FreeCAD gives to its dimensions: arrows and lines that tell a length.
+DIMENSION = f"{MARK}dimpoint"
 #: The word for an element that is not understood, where that is not its name.
 WORDS = {"tspan": "text", "flowRoot": "text", "textPath": "text"}
 
@@ -128,6 +130,9 @@ class SvgReader:
             return
         if element.tag not in GROUPS and element.tag not in DRAWS:
             self._drawing.left_out[WORDS.get(element.tag, element.tag)] += 1
+            return
+        if any(key.endswith(DIMENSION) for key in element.attributes):
+            self._drawing.left_out["dimension"] += 1
             return
         self._note_unheard(element)
         try:

@@ -70,8 +70,12 @@ class _Reader:
             self._parser.Parse(data, True)
         except ExpatError as error:
             raise SceneError(f"line {error.lineno}: is not well-formed XML: {ErrorString(error.code)}") from None
+        except SceneError:
+            raise
         except (LookupError, ValueError) as error:  # of an encoding that there is not
             raise SceneError(f"line 1: is not well-formed XML: {error}") from None
+        finally:
+            self._parser = None  # which holds what holds it: of a large tree the search for garbage would take long
         if self.root is None:
             raise SceneError("line 1: is not well-formed XML: no element found")
         return self.root

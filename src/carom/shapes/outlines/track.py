@@ -13,6 +13,9 @@ STILL, UNBENT = 1e-8, 1e-4
 #: Radians by which the directions of two cubics may differ where they meet, so that they are one smooth run.
 SMOOTH = 1e-9
 
+#: Times that a cubic is halved to tell that it has no tip.
+HALVINGS = 3
+
 #: Share of a cubic's parameter within which two tips are one.
 ONE_TIP = 1e-5
 
@@ -21,19 +24,22 @@ MOST_SLANT = 0.2
 
 
 class Track:
-    """Cubics that continue each other smoothly; a place on it is a number u from 0 to their count."""
+    """Cubics that continue each other smoothly; a place on it is a number u from 0 to their count, `end`.
+
+    `out` and `into` are the unit tangents with which it begins and ends.
+    """
 
     def __init__(self, cubics: Sequence[Cubic], out: complex, into: complex) -> None:
-        """Take cubics, and the directions in which they begin and end."""
-        self._cubics = cubics
-        self._out = out
-        self._into = into
+        """Take cubics, and the unit tangents."""
+        self.cubics = cubics
+        self.out = out
+        self.into = into
         self.end = float(len(cubics))
 
     def _at(self, u: float) -> tuple[Cubic, float]:
         """The cubic that u lies on, and the place there."""
-        index = min(int(u), len(self._cubics) - 1)
-        return self._cubics[index], u - index
+        index = min(int(u), len(self.cubics) - 1)
+        return self.cubics[index], u - index
 
     def point(self, u: float) -> complex:
         """The place at u."""
@@ -42,7 +48,7 @@ class Track:
 
     def points(self, start: float, end: float, shares: Sequence[float]) -> list[complex]:
         """The places at shares of the way from one u to a later one; what `Cubic.point` says stands here again."""
-        cubics = self._cubics
+        cubics = self.cubics
         last = len(cubics) - 1
         found = []
         for share in shares:
@@ -67,7 +73,7 @@ class Track:
         Bernoulli polynomial of degree 3 along each arc, and the slant a²/12 times the slope of the curvature.
         """
         if u <= 0.0 or u >= self.end:
-            return self._out if u <= 0.0 else self._into
+            return self.out if u <= 0.0 else self.into
         cubic, t = self._at(u)
         slope = cubic.slope(t)
         speed = abs(slope)
@@ -85,7 +91,7 @@ class Track:
 
         What `Cubic.point` and `Cubic.slope` say stands here again: calls of them would be half of the time of a fit.
         """
-        x, y, cubics = along.real, along.imag, self._cubics
+        x, y, cubics = along.real, along.imag, self.cubics
         last = len(cubics) - 1
         low, high = start, end
         u = 0.5 * (low + high)
@@ -110,11 +116,11 @@ class Track:
 
     def parts(self, start: float, end: float) -> Iterator[Cubic]:
         """The cubics from one u to a later one, the first and the last of them cut there."""
-        for index in range(min(int(start), len(self._cubics) - 1), len(self._cubics)):
+        for index in range(min(int(start), len(self.cubics) - 1), len(self.cubics)):
             if index >= end:
                 return
             low, high = max(start - index, 0.0), min(end - index, 1.0)
-            cubic = self._cubics[index]
+            cubic = self.cubics[index]
             yield cubic if high - low == 1.0 else cubic.part(low, high)
 
 
@@ -138,7 +144,7 @@ def _smooth_parts(cubic: Cubic) -> Iterator[tuple[Cubic, complex, complex]]:
     """The parts of a cubic between its cusps, with the directions at their ends; none of one that is a point."""
     if cubic.size() == 0.0:
         return
-    tips = [] if _is_brisk(cubic) else _tips(cubic)
+    tips = [] if _is_brisk(cubic, STILL * cubic.size()) else _tips(cubic)
     before, out = 0.0, _directions(cubic, 0.0, 0.0 in tips)[1]
     for t in [*(t for t in tips if 0.0 < t < 1.0), 1.0]:
         back, forth = _directions(cubic, t, t in tips)
@@ -147,8 +153,11 @@ def _smooth_parts(cubic: Cubic) -> Iterator[tuple[Cubic, complex, complex]]:
             before, out = t, forth
 
 
-def _is_brisk(cubic: Cubic) -> bool:
-    """Whether a cubic is sure to have no tip: its slope, thrice a mean of its legs, is far from 0 wherever it is."""
+def _is_brisk(cubic: Cubic, still: float, halvings: int = HALVINGS) -> bool:
+    """Whether a cubic is sure to have no tip: its slope, thrice a mean of its legs, is far from 0 wherever it is.
+
+    It has none slower than `still`. What the whole does not tell its halves may, whose slopes are half as steep.
+    """
     a, b, c, d = cubic
     first, second, third, chord = b - a, c - b, d - c, d - a
     long = abs(chord)
@@ -156,12 +165,13 @@ def _is_brisk(cubic: Cubic) -> bool:
     least = min(dot(first, chord), dot(second, chord), dot(third, chord)) / long if long > 0.0 else 0.0
     if least <= 0.0:
         turns = cross(first, second), cross(second, third), cross(third, first)
-        if min(turns) >= 0.0 or max(turns) <= 0.0:  # 0 may be a mean of them
-            return False
-        least = min(_nearest(first, second), _nearest(second, third), _nearest(third, first))
+        if min(turns) < 0.0 < max(turns):  # else 0 may be a mean of them
+            least = min(_nearest(first, second), _nearest(second, third), _nearest(third, first))
     speed = 2.9 * least
     bend = 6.0 * max(abs(second - first), abs(third - second))
-    return speed > STILL * cubic.size() and speed * speed > TIP_RADIUS * bend
+    if least > 0.0 and speed > still and speed * speed > TIP_RADIUS * bend:
+        return True
+    return halvings > 0 and all(_is_brisk(half, 0.5 * still, halvings - 1) for half in cubic.halves())
 
 
 def _nearest(start: complex, end: complex) -> float:
@@ -195,10 +205,11 @@ def _is_tip(cubic: Cubic, t: float) -> bool:
 
 def _directions(cubic: Cubic, t: float, tip: bool = True) -> tuple[complex, complex]:
     """The unit vectors in which the cubic comes to t and leaves it."""
-    slope, second = cubic.slope(t), cubic.second(t)
     if not tip:
+        slope = cubic.slope(t)
         along = slope / abs(slope)
         return along, along
+    second = cubic.second(t)
     if abs(second) > UNBENT * cubic.size():
         along = second / abs(second)
         return -along, along

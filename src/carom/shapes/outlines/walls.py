@@ -129,18 +129,23 @@ def _joined(bows: Iterable[Bow], tolerance: float) -> Iterator[Bow]:
 def _is_one(first: Bow, last: Bow, tolerance: float) -> bool:
     """Whether two arcs that follow each other are one to rounding, or straight and in one line."""
     straight = abs(last.end - first.start)
+    parting = abs(first.curvature - last.curvature) * straight * straight
+    if parting > SAME_ARC and abs(first.curvature) * abs(first.end - first.start) > 2.0 * STRAIGHT_TURN:
+        return False  # nor is it straight, which takes longer to tell
     turn = abs(first.turn) + abs(last.turn)
     if turn <= STRAIGHT_TURN:
         return turn * straight <= SAME_LINE * tolerance
-    parting = abs(first.curvature - last.curvature) * straight * straight
     return parting <= SAME_ARC and abs(first.turn + last.turn) < WIDEST_JOINED
 
 
 def _straightened(bows: Iterable[Bow], largest: float) -> Iterator[Bow]:
     """The arcs, but for each one with a larger radius a straight piece between two arcs of a tenth of the largest."""
     for bow in bows:
+        if abs(bow.curvature) * largest >= 1.0:
+            yield bow
+            continue
         turn = bow.turn
-        if abs(turn) <= STRAIGHT_TURN or abs(bow.curvature) * largest >= 1.0:
+        if abs(turn) <= STRAIGHT_TURN:
             yield bow
             continue
         radius = 0.1 * largest

@@ -15,7 +15,7 @@ from carom.rows.hit import BOUNCE
 from carom.rows.tables import Rows
 from carom.study.billiards.outline import Floats
 from carom.study.billiards.tables import Starts, Table
-from carom.world.boundary import Piece, coordinates, places_of
+from carom.world.boundary import Piece, Track
 
 if TYPE_CHECKING:
     from carom.world import Hits, World
@@ -55,7 +55,7 @@ class Batch:
     def __post_init__(self) -> None:
         shapes: Any = self.world.shapes
         self._walls = [piece for loop in self.table.loops for piece in loop.pieces]
-        self._pieces = [Piece(shapes[wall.place], wall.forward) for wall in self._walls]
+        self._track = Track([Piece(shapes[wall.place], wall.forward) for wall in self._walls])
         self._first_id = int(self.world.balls.id[0])
         self.size = len(self.world.balls)
 
@@ -83,12 +83,12 @@ class Batch:
 
     def boundary(self, hits: Hits) -> tuple[Floats, Floats]:
         """Where along the table's outline hits are, loop after loop, and the sines of their angles of incidence."""
-        places, on = places_of(self._pieces, hits["shape"])
+        places, on = self._track.places_of(hits["shape"])
         rows = hits.view(np.ndarray)
         if on.all():
-            return coordinates(self._pieces, rows, places)
+            return self._track.coordinates(rows, places)
         along, sine = np.empty(len(hits)), np.empty(len(hits))
-        along[on], sine[on] = coordinates(self._pieces, rows[on], places[on])
+        along[on], sine[on] = self._track.coordinates(rows[on], places[on])
         along[~on], sine[~on] = self._at_corners(rows[~on])
         return along, sine
 

@@ -16,8 +16,7 @@ CIRCLE = [Conic((1.0, 2.0), (3.0, 0.0), (0.0, 3.0))]
 def shaped(*bodies: Body) -> Shaper:
     """What is made of some bodies."""
     shaper = Shaper(Faults(Scene), 1e-3)
-    for body in bodies:
-        shaper.add(body)
+    shaper.add_all(list(bodies))
     return shaper
 
 

@@ -143,6 +143,34 @@ def test_what_is_not_seen_is_no_body(tmp_path: Path, hidden: str) -> None:
     assert len(drawn(tmp_path, hidden + '<line x2="9"/>').shapes) == 1
 
 
+def test_a_part_as_freecad_exports_it_comes_out_without_its_dimensions(tmp_path: Path) -> None:
+    # Up is positive within a group that mirrors; widths have a unit, titles are Python's; circles are two arcs whose
+    # radii differ in the tenth digit, turned by what FreeCAD takes for the angle of their axes.
+    line = 'stroke="#191919" stroke-width="0.35 px" style="stroke-width:0.35;stroke-dasharray:none;fill:none"'
+    with pytest.warns(carom.errors.DrawingWarning, match=r"left out: dimension \(2\)$"):
+        scene = drawn(
+            tmp_path,
+            f"""<g id="Plate" transform="translate(2.0,62.0) scale(1,-1)"><path id="Plate_nwe0000" {line}
+              d="M 0.0 0.0 L 30.0 0.0 A 4.999999999372275 4.999999999372275 -129.133238 0 1 35.0 5.0 L 35.0 20.0 Z "/>
+              <title>b'Plate'</title></g>
+            <g id="Hole" transform="translate(2.0,62.0) scale(1,-1)"><path {line}
+              d="M 12.0 10.0 A 2.0 2.0 0.0 0 0 8.0 10.0 A 2.0 2.0 0.0 0 0 12.0 10.0 "/></g>
+            <g id="Dimension"><g freecad:basepoint1="0 0" freecad:basepoint2="30 0" freecad:dimpoint="15 -9">
+              <path {line} d="M 0 -9 L 30 -9"/><text>30.00</text></g></g>
+            <path freecad:dimpoint="3 4" {line} d="M 0 0 L 30 9"/>""",
+            'width="104mm" height="64mm" viewBox="0 0 104 64"'
+            ' xmlns:freecad="https://wiki.freecad.org/index.php?title=Svg_Namespace"',
+        )
+    assert [(one.kind, one.name) for one in scene.shapes] == [
+        *((kind, "Plate_nwe0000") for kind in ("segment", "arc", "segment", "segment")),
+        *[("arc", "Hole")] * 2,
+    ]
+    plate, corner, *_, hole = (shape for shape in scene.build().shapes if shape.kind != "point")
+    assert (plate.start, plate.end) == (pytest.approx((2.0, 2.0)), pytest.approx((32.0, 2.0)))
+    assert (corner.center, corner.radius) == (pytest.approx((32.0, 7.0)), pytest.approx(5.0))
+    assert hole.center == pytest.approx((12.0, 12.0))
+
+
 def test_what_is_not_understood_is_listed_once(tmp_path: Path) -> None:
     with pytest.warns(carom.errors.DrawingWarning) as told:
         scene = drawn(

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import carom
 from carom import Arc, InvalidArgument, Segment, UnknownName, outlines
+from carom.shapes.outlines.curves import bezier_chain, bezier_chains
 from tests.clock import within
 from tests.curves import exact_cubic, farthest, farthest_back, joints, nasty_cubics
 
@@ -192,3 +193,14 @@ def test_mistakes_are_named(call: Any, message: str) -> None:
 
 def test_outlines_are_reached_from_the_package() -> None:
     assert carom.outlines is outlines
+
+
+def test_many_beziers_at_once_are_what_each_is_alone_and_none_where_one_is_refused() -> None:
+    curves: list[Any] = [[(k, 0.0), (k + 0.3, 1.0 + 0.01 * k), (k + 1.0, -0.5), (k + 1.0, 0.7)] for k in range(50)]
+    curves[7] = [(2.0, 2.0)] * 4
+    curves[9] = curves[9][:3]
+    found = bezier_chains(curves, 1e-3)
+    assert found[7] is None
+    assert [chain for chain in found if chain is not None] == [
+        bezier_chain(points, 1e-3) for place, points in enumerate(curves) if place != 7
+    ]

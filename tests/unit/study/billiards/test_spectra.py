@@ -148,6 +148,50 @@ def test_an_ellipse_of_arcs_has_hardly_any_chaos_in_long_runs_either() -> None:
     assert fine.spectrum[0] < 0.05 * stadium
 
 
+def of_a_true_ellipse(starts: Any, hits: int) -> tuple[Any, Any]:
+    """The growth of a change of each orbit in a true ellipse with half axes 3 and 2, and its time, as measured."""
+    (x, y), (vx, vy) = starts.position.T.copy(), starts.velocity.T.copy()
+    offset, slope = np.full(len(x), 0.5), np.full(len(x), 0.7)
+    grown, seconds = np.zeros(len(x)), np.zeros(len(x))
+    for hit in range(hits):
+        square, half = (vx / 3) ** 2 + (vy / 2) ** 2, x * vx / 9 + y * vy / 4
+        inside = 1.0 - (x / 3) ** 2 - (y / 2) ** 2 if hit == 0 else 0.0
+        time = (-half + np.sqrt(half * half + square * inside)) / square
+        x, y, offset = x + time * vx, y + time * vy, offset + time * slope
+        rounding = np.sqrt((x / 3) ** 2 + (y / 2) ** 2)
+        x, y, size = x / rounding, y / rounding, np.hypot(x / 9, y / 4) / rounding
+        nx, ny = x / 9 / size, y / 4 / size
+        across = vx * nx + vy * ny
+        slope = slope - 2.0 * offset / (36.0 * size**3 * across)  # the mirror's law; 1/(36 size³) is the curvature
+        vx, vy = vx - 2.0 * across * nx, vy - 2.0 * across * ny
+        change = np.hypot(offset, slope)
+        offset, slope = offset / change, slope / change
+        if hit >= hits // 4:
+            grown, seconds = grown + np.log(change), seconds + time
+    return grown, seconds
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_what_chaos_an_ellipse_of_arcs_has_is_not_that_of_an_ellipse_and_is_near_its_foci() -> None:
+    table, n = study.table("ellipse"), 400
+    starts = table.random_starts(n, seed=1)
+    grown, seconds = of_a_true_ellipse(starts, 1000)
+    true = grown / seconds
+    floor = log(4.0) / seconds.mean()
+    assert abs(true.mean()) < 2.0 * sqrt(true.var(ddof=1) / n + floor * floor)
+    found = study.lyapunov(table, n=n, hits=1000, seed=1)
+    assert found.spectrum[0] > 3.0 * found.error[0]
+    # Orbits that pass between the foci have a product of the angular momenta about these below 0; at 0 they pass one.
+    (x, y), (vx, vy) = starts.position.T, starts.velocity.T
+    foci = sqrt(5.0)
+    product = ((x + foci) * vy - y * vx) * ((x - foci) * vy - y * vx)
+    between = found.exponents[product < -0.3]
+    assert len(between) > n // 2
+    assert abs(between.mean()) < 2.0 * sqrt(between.var(ddof=1) / len(between) + floor * floor)
+    assert np.abs(product[np.argsort(found.exponents)[-10:]]).max() < 0.1
+
+
 @pytest.mark.parametrize(
     ("given", "told"),
     [

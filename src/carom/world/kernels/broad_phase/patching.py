@@ -17,6 +17,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     cells_around,
     comes_near,
     find_free,
+    index_box,
     mark_parts,
     reach_of_cell,
 )
@@ -56,6 +57,7 @@ def patch_index(
     make_gaps(entry, cells, members, more)
     for k in range(begin, end):
         put_in(shapes, order[k], entry, cells, members)
+    entry["measured"] = 0
     # The kinematic index begins where the static one ends.
     state["moving_stale"] = 1
     return True
@@ -75,18 +77,20 @@ def is_laid_alike(
     count = int(state["fixed"] - state["dropped"])
     if count == 0 or cell_side(right - left, top - bottom, count, reach) != entry["side"]:
         return False
+    inside = True
     for k in range(begin, end):
         shape = shapes[order[k]]
-        # What is taken out must not have been outermost, and what is put in must not become so.
         inside = (
-            float(shape["left"]) - reach > left
+            inside
+            and float(shape["left"]) - reach > left
             and float(shape["bottom"]) - reach > bottom
             and float(shape["right"]) + reach < right
             and float(shape["top"]) + reach < top
         )
-        if not inside:
-            return False
-    return True
+    # What is outermost, others may be as well: bricks in a row. All shapes are asked, which is quicker than a new grid.
+    return inside or (left, bottom, right, top) == index_box(
+        shapes, order, int(state["dropped"]), int(state["fixed"]), reach
+    )
 
 
 def take_out(

@@ -134,6 +134,7 @@ def build_index(
     entry["cells_end"] = entry["cells_begin"]
     entry["members_end"] = entry["members_begin"]
     entry["longest"] = 0
+    entry["measured"] = 0
     find_free(shapes, order, entry, begin, end)
     if begin == end:
         return True
@@ -329,6 +330,33 @@ def share_members(state: StateRow, entry: IndexRow, cells: Table[CellRow], room:
     entry["cells_end"] = last
     entry["members_end"] = total
     return True
+
+
+def measure_clear(entry: IndexRow, cells: Table[CellRow]) -> None:
+    """Find how many columns or lines each cell of a grid is from the nearest that has members.
+
+    Once from the first cell to the last, and once back: a cell is one farther than its nearest neighbour. Source: A.
+    Rosenfeld and J. L. Pfaltz, "Sequential operations in digital picture processing", 1966.
+    """
+    columns, lines, first = int(entry["columns"]), int(entry["lines"]), int(entry["cells_begin"])
+    last = columns * lines - 1
+    for way in range(2):
+        back = 1 if way == 0 else -1
+        for k in range(last + 1):
+            place = k if way == 0 else last - k
+            cell = cells[first + place]
+            column, line = place % columns, place // columns
+            clear = columns + lines if way == 0 else int(cell["clear"])
+            if cell["end"] > cell["begin"]:
+                clear = 0
+            # The neighbours that come before it: the last one in its line, and three in the line before.
+            if 0 <= column - back < columns:
+                clear = min(clear, int(cells[first + place - back]["clear"]) + 1)
+            if 0 <= line - back < lines:
+                for beside in range(max(column - 1, 0), min(column + 2, columns)):
+                    clear = min(clear, int(cells[first + (line - back) * columns + beside]["clear"]) + 1)
+            cell["clear"] = clear
+    entry["measured"] = 1
 
 
 def mark_cells(

@@ -107,20 +107,41 @@ def predict_on_way(
     right, top = left + side * float(entry["columns"]), bottom + side * float(entry["lines"])
     _x, _y, begin_vx, begin_vy, gx, gy = path
     pull = sqrt(gx * gx + gy * gy)
-    begin = age
+    # Of a straight way, along which there may be many cells to skip, little is to be reckoned for each.
+    step = (1.0 - SEARCH_MARGIN) * side
+    pace = time_to_go(sqrt(begin_vx * begin_vx + begin_vy * begin_vy), 0.0, step)
+    known = entry["measured"] != 0
+    begin, until = age, event_age(flight)
     for _ in range(FLIGHT_SLICES if state["binned"] == 0 else CROWD_SLICES):
         x, y = place_on(path, begin)
         if not (left <= x <= right and bottom <= y <= top):
             begin = time_into_box(path, begin, left, bottom, right, top)
-        if begin >= event_age(flight):
+        if begin >= until:
             return
-        vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
-        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, (1.0 - SEARCH_MARGIN) * side)
+        clear = cells_clear(entry, cells, (x - left) / side, (y - bottom) / side) if known else 0
+        if pull == 0.0:
+            end = begin + pace * max(clear, 1)
+        else:
+            vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
+            end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, step * max(clear, 1))
         if not end > begin:
             return
-        predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
+        if clear == 0:
+            predict_slice(state, ball, flight, shapes, entry, cells, members, relations, begin, end, moving)
+            until = event_age(flight)
         begin = end
     consider(flight, begin, LOOK, NO_BALL)
+
+
+def cells_clear(entry: IndexRow, cells: Table[CellRow], across: float, along: float) -> int:
+    """How many cells' widths a ball can go and come to no cell that has members, whichever way.
+
+    The ball's place is given in cells, from the corner of the grid.
+    """
+    columns, lines = int(entry["columns"]), int(entry["lines"])
+    if not (0.0 <= across < columns and 0.0 <= along < lines):
+        return 0
+    return max(int(cells[int(entry["cells_begin"]) + int(along) * columns + int(across)]["clear"]) - 1, 0)
 
 
 def time_into_box(path: Path, begin: float, left: float, bottom: float, right: float, top: float) -> float:
@@ -196,6 +217,8 @@ def predict_slice(
             cell = fourth if fourth != first and fourth != second and fourth != third else -1
         if cell >= 0:
             low, high = cell_span(cells, cell)
+            if low == high:
+                continue
             if moving:
                 predict_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
             else:

@@ -27,6 +27,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     longest_list,
     mark_cells,
+    measure_clear,
     open_cells,
     share_members,
 )
@@ -42,6 +43,9 @@ def rebuild_regions(
     index, cells, members = shape_index
     if not rebuild_static(state, balls, shapes, order, shape_index):
         return False
+    entry = index[FIXED]
+    if entry["measured"] == 0 and state["broad_phase"] == GRID and state["fixed"] - state["dropped"] > FEW_SHAPES:
+        measure_clear(entry, cells)
     # Balls that are parted ask where kinematic shapes are, not where they may be.
     state["moving_stale"] = 1
     return build_regions(state, shapes, order, index, cells, members)

@@ -7,6 +7,7 @@ import pytest
 import carom
 from carom.rows.state import QUADTREE
 from carom.world.kernels.broad_phase.patching import is_met_later, patch_index
+from carom.world.kernels.broad_phase.shape_index import measure_clear
 from tests.kernel_calls import prepare_index
 from tests.property.test_changes import cells_of, made_anew
 
@@ -44,15 +45,33 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
     inner = list(world.shapes)[2:]
     world.remove(inner[3], inner[5])
     assert patched(world)
+    measure_clear(world._arrays.index[0], world._arrays.cells)
     inner[0].position = (4.2, 3.1)
     inner[7].position = (0.2, 0.1)
     inner[7].position = (0.3, 0.1)
     world.add(carom.Point((2, 2)), carom.Arc((3, 3), 1.0, 0.0, 4.0))
     assert patched(world)
     assert world._arrays.states[0]["moving_stale"] == 1
+    assert not world._arrays.index[0]["measured"]
     found = cells_of(world._arrays)
     assert found == made_anew(world._arrays)
     assert sum(map(len, found[1])) > 50
+
+
+def test_one_of_many_at_the_edge_goes_and_comes_like_any_other() -> None:
+    world = field()
+    world.add(*(carom.Segment((-2, y), (-2, y + 1)) for y in range(-2, 8)), carom.Segment((8, -2), (8, 8)))
+    prepare_index(world, RADIUS)
+    world._arrays.states[0]["index_stale"] = 0
+    patched(world)
+    for change in (
+        lambda: world.remove(world.shapes[0]),
+        lambda: world.remove(world.shapes[-4]),
+        lambda: world.add(carom.Segment((3, 8), (4, 8))),
+    ):
+        change()
+        assert patched(world)
+        assert cells_of(world._arrays) == made_anew(world._arrays)
 
 
 def test_the_cells_are_laid_anew_where_the_outermost_goes_or_comes() -> None:

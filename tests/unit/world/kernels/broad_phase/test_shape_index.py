@@ -16,6 +16,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     front_of,
     is_free,
     locate,
+    measure_clear,
     rest_of_cell,
 )
 from carom.world.kernels.step.narrow import boxes_apart
@@ -49,6 +50,24 @@ def test_short_lists_are_what_a_grid_is_for() -> None:
     prepare_index(world, 0.1)
     assert len(found_shapes(world, FIXED, 7.05, 9.0)) <= 4
     assert world._arrays.index[FIXED]["longest"] <= 6
+
+
+def test_each_cell_knows_how_far_it_is_from_those_with_members() -> None:
+    world = World()
+    world.add(Segment((0, 0), (30, 0)), Circle((22, 14), 2.5), Point((3, 19)), *(Point((k, 1)) for k in range(16)))
+    prepare_index(world, 0.5)
+    entry, cells = world._arrays.index[FIXED], world._arrays.cells
+    columns, lines = int(entry["columns"]), int(entry["lines"])
+    assert not entry["measured"]
+    measure_clear(entry, cells)
+    assert entry["measured"]
+    mine = cells[: columns * lines].reshape(lines, columns)
+    y, x = np.nonzero(mine["end"] > mine["begin"])
+    grid_y, grid_x = np.mgrid[:lines, :columns]
+    away = np.maximum(abs(grid_y[..., None] - y), abs(grid_x[..., None] - x)).min(axis=-1)
+    assert min(columns, lines) > 5
+    assert away.max() > 2
+    assert mine["clear"].tolist() == away.tolist()
 
 
 def test_static_and_kinematic_shapes_stand_apart() -> None:

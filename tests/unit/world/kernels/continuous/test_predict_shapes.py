@@ -1,5 +1,6 @@
 """The first impact with a shape at rest: of the whole flight, however its way is cut, and what comes first of two."""
 
+from itertools import pairwise
 from math import cos, inf, pi, sin
 
 import numpy as np
@@ -55,6 +56,32 @@ def of_all(arrays: Arrays) -> tuple[int, float, float, int]:
     rows = arrays.balls.rows[0], flight, arrays.shapes.rows, arrays.order, arrays.relations
     predict_members(arrays.states[0], *rows, 0, arrays.shapes.count, 0.0, inf)
     return foreseen(arrays)
+
+
+def test_an_empty_hall_is_crossed_in_a_few_looks_however_fine_its_walls_are() -> None:
+    corners = [(50.0 * cos(angle), 30.0 * sin(angle)) for angle in np.linspace(0.0, 2.0 * pi, 601)]
+    world = World(detection="continuous")
+    world.add(*(Segment(a, b) for a, b in pairwise(corners)))
+    world.add(Ball((-48, 3), 0.01, velocity=(1.0, -0.03)))
+    for place, velocity in (((-48, 3), (1, -0.03)), ((0, -28), (0.2, 1)), ((40, -17), (-0.8, 0.1)), ((3, 3), (1, 1))):
+        world.balls.position[0], world.balls.velocity[0] = place, velocity
+        arrays = in_flight(world)
+        assert arrays.index[0]["columns"] > 100
+        expected = of_all(arrays)
+        assert boxes_asked(arrays) < 40
+        assert foreseen(arrays) == expected
+
+
+def boxes_asked(arrays: Arrays) -> int:
+    """The tests of boxes that one call makes which looks along the way of the ball."""
+    before = int(arrays.states[0]["box_tests"])
+    _order, *index = film_tables(arrays)[1:]
+    flight = arrays.flights[0]
+    flight["event"] = NOTHING
+    rows = arrays.balls.rows[0], flight, arrays.shapes.rows, index[0][0], index[1], index[2], arrays.relations
+    predict_on_way(arrays.states[0], *rows, 0.0, False)
+    assert flight["event"] != LOOK
+    return int(arrays.states[0]["box_tests"]) - before
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ from hypothesis import given
 
 from carom import Ball, Circle, Point, Segment, World
 from carom.rows.index import CELL
-from carom.world.kernels.broad_phase.shape_index import MOVING
+from carom.world.kernels.broad_phase.shape_index import MOVING, locate
 from carom.world.kernels.continuous.movers import show_movers, take_back
 from carom.world.kernels.continuous.regions import (
     is_any_near,
@@ -144,6 +144,24 @@ def test_an_index_without_room_says_how_much_it_wants() -> None:
     assert arrays.states[0]["wanted_cells"] > 1
     prepare_regions(arrays)
     assert [found(arrays, x, y) for x in range(-20, 21, 4) for y in range(-20, 21, 4)] == everywhere
+
+
+def test_static_cells_are_measured_for_flights_and_again_where_a_shape_has_come() -> None:
+    world = continuous_world(*(Circle((3.0 * k, 3.0 * j), 0.5) for k in (0, 1, 2, 3, 9, 10, 11) for j in range(12)))
+    arrays = world._arrays
+    arrays.prepare()
+    prepare_regions(arrays)
+    entry = arrays.index[0]
+    assert entry["measured"]
+    x, y = 18.0, 15.0
+    cell = locate(arrays.states[0], entry, arrays.cells, x, y)
+    assert arrays.cells[cell]["clear"] > 1
+    world.add(Point((x, y)))
+    arrays.prepare()
+    prepare_regions(arrays)
+    cell = locate(arrays.states[0], entry, arrays.cells, x, y)
+    assert arrays.cells[cell]["clear"] == 0
+    assert arrays.cells[cell + 1]["clear"] == 1
 
 
 @given(kinds=st.lists(st.tuples(st.booleans(), st.booleans()), max_size=8))
