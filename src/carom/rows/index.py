@@ -18,7 +18,7 @@ class IndexRow(TypedDict):
     top: f8
     side: f8  # of a grid's cell
     reach: f8  # the largest radius of a ball that it serves
-    free_left: f8  # a rectangle in which a ball's centre has no shape's box in reach: see `free_rectangle`
+    free_left: f8  # a rectangle in which a ball's centre has no static shape's box in reach: see `find_free`
     free_bottom: f8
     free_right: f8
     free_top: f8

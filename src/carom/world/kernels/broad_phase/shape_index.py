@@ -134,7 +134,8 @@ def build_index(
     entry["cells_end"] = entry["cells_begin"]
     entry["members_end"] = entry["members_begin"]
     entry["longest"] = 0
-    find_free(shapes, order, entry, begin, end)
+    if which == FIXED:
+        find_free(shapes, order, entry, begin, end)
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)

@@ -110,11 +110,14 @@ def begin_substep(
     state = states[0]
     # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
-        if move_shapes(state, balls, shapes, order, substep_length(state)):
+        moved = move_shapes(state, balls, shapes, order, substep_length(state))
+        if moved:
             state["moving_stale"] = 1
         state["stage_entered"] = 1
         count = int(state["shapes"])
-        if not shapes_are_sound(shapes, order, count, count + int(state["movers"])):
+        # The first substep sees those too that were set where no number reaches; later ones see what has moved.
+        looked_at = count + int(state["movers"]) if moved or state["substep"] == 0 else count
+        if not shapes_are_sound(shapes, order, count, looked_at):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
     if not rebuild_index(state, balls, shapes, order, shape_index):
@@ -276,8 +279,12 @@ def finish(
             return NEEDS_ROOM
         sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
     finish_substep(state, balls, substep_length(state))
+    state["substep"] += 1
+    if state["substep"] < state["substeps"]:
+        enter_stage(state, MOVE)
+        return DONE
+    # In other substeps those that have arrived rest before they would move on.
     for k in range(state["shapes"], state["shapes"] + state["movers"]):
         let_rest(shapes[order[k]])
-    state["substep"] += 1
-    enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)
+    enter_stage(state, END)
     return DONE

@@ -68,8 +68,8 @@ def is_good(ball: BallRow) -> bool:
 
 def is_in_reach(shape: ShapeRow) -> bool:
     """True if a shape is where numbers reach."""
-    low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
-    return low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))
+    left, bottom = float(shape["left"]), float(shape["bottom"])
+    return unsoundness(left, bottom, float(shape["right"]), float(shape["top"])) == 0.0
 
 
 def shapes_are_sound(shapes: Table[ShapeRow], order: Table[int], begin: int, end: int) -> bool:
