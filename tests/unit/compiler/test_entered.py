@@ -10,7 +10,6 @@ from carom.compiler.block import Block
 from carom.compiler.kernels import Kernel
 from carom.rows.hit import HIT_ROW
 from carom.rows.state import STATE
-from carom.world.kernels.copies.stepping import prefetch
 from carom.world.kernels.queries.search_grid import width_of_all
 from tests.worlds import crowded
 
@@ -63,19 +62,6 @@ def test_a_kernel_that_is_entered_answers_as_one_that_is_given_arrays(monkeypatc
     assert isinstance(kernel, door.At)
     assert kernel(Block(tables)) == kernel.at(Block(tables).address) == width_of_all(*tables)
     assert kernel(Block((arrays.shapes.used[:1], arrays.balls.used))) == width_of_all(tables[0][:1], tables[1])
-
-
-@pytest.mark.compiled
-def test_prefetch_tells_the_processor_and_changes_nothing() -> None:
-    numba = pytest.importorskip("numba")
-    door.register_once(numba)
-    kernel = numba.njit(lambda table, place: prefetch(table, place))
-    table = np.arange(5)
-    kernel(table, 3)
-    kernel(table, 5000)
-    assert "prefetch" in next(iter(kernel.inspect_asm().values()))
-    assert table.tolist() == [0, 1, 2, 3, 4]
-    assert prefetch(table, 5000) is None  # type: ignore[func-returns-value]
 
 
 def test_interpreted_a_kernel_is_called_with_the_arrays_of_its_block(monkeypatch: pytest.MonkeyPatch) -> None:

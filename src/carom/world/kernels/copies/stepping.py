@@ -5,6 +5,7 @@ from __future__ import annotations
 from carom.rows.copies import GIVE, LACKS_HITS, LACKS_MEMORY, PUT, STEP, STEP_DUE, TAKE, JobRow, LayoutRow
 from carom.rows.hit import BOUNCE, ENTER, HitRow
 from carom.rows.index import IndexRow
+from carom.rows.prefetch import prefetch
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
     DONE,
@@ -104,10 +105,6 @@ def prefetch_copy(layout: LayoutRow, memory: Table[int], copy: int) -> None:
     begin = copy * int(layout["words"])
     for word in range(begin, min(begin + int(layout["words"]), len(memory)), LINE):
         prefetch(memory, word)
-
-
-def prefetch(table: Table[int], place: int) -> None:
-    """Have the processor bring an item of a table near, if there is any way to say so; nothing waits for it."""
 
 
 def call_step(job: JobRow) -> int:

@@ -9,6 +9,7 @@ from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
 from carom.rows.pose import rest as let_rest
+from carom.rows.prefetch import prefetch
 from carom.rows.relation import RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -43,6 +44,9 @@ from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, s
 from carom.world.kernels.step.rounds import meet_all_shapes
 from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_end, substep_length
+
+#: So many pairs ahead of the one that is tested, rows of balls are brought near.
+PAIRS_AHEAD = 8
 
 
 def step_discrete(
@@ -243,9 +247,11 @@ def meet_all_pairs(
 
     After the last iteration the shapes at rest come once more, if it met anything: they have the last word.
     """
+    last = int(state["pairs"]) - 1
     for k in range(state["cursor"], state["pairs"]):
         if lacks_room(state, len(hits), len(relations), k, 1):
             return NEEDS_ROOM
+        prefetch_pair(balls, saved, pairs, min(k + PAIRS_AHEAD, last))
         # The order of a pair's balls depends on the search; what follows from it must not.
         i = min(int(pairs[k, 0]), int(pairs[k, 1]))
         j = max(int(pairs[k, 0]), int(pairs[k, 1]))
@@ -262,6 +268,13 @@ def meet_all_pairs(
     enter_stage(state, SHAPES if state["found"] > 0 else FINISH)
     state["found"] = 0
     return DONE
+
+
+def prefetch_pair(balls: Table[BallRow], saved: Table[SavedRow], pairs: Pairs, k: int) -> None:
+    """Have the rows of a pair's balls near when its turn comes: in a crowd they are far from those of the last."""
+    for side in range(2):
+        prefetch(balls, int(pairs[k, side]))
+        prefetch(saved, int(pairs[k, side]))
 
 
 def finish(
