@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8
+from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8, u4
 
 NO_CHILD = -1
 
@@ -62,8 +62,8 @@ class SlotRow(TypedDict):
     x: f8
     y: f8
     radius: f8
-    ball: i4
-    cell: i4
+    ball: u4
+    cell: u4
 
 
 SLOT = dtype_of(SlotRow)
