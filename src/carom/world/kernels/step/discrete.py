@@ -75,7 +75,7 @@ def step_discrete(
     while state["steps_left"] > 0:
         stage = state["stage"]
         if stage == BEGIN:
-            status = begin_step(states, balls, shapes, order, saved, relations)
+            status = begin_step(states, balls, shapes, order, slots, saved, relations)
         elif stage == MOVE:
             status = begin_substep(states, balls, shapes, order, shape_index, saved, relations)
         elif stage == SHAPES:

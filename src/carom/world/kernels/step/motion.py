@@ -7,6 +7,7 @@ from math import fabs, inf
 from carom.constants import FEW_TO_ASK, INDEX_MARGIN, ROUNDING
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
+from carom.rows.index import SlotRow
 from carom.rows.pose import (
     STILL,
     UNPOSED,
@@ -18,6 +19,7 @@ from carom.rows.pose import (
     turn_unposed,
     turns_only,
 )
+from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -45,6 +47,17 @@ def put_ball(ball: BallRow, x: float, y: float, vx: float, vy: float) -> None:
     ball["y"] = y
     ball["vx"] = vx
     ball["vy"] = vy
+
+
+def launch_ball(ball: BallRow, mark: SavedRow, slot: SlotRow, i: int, x: float, y: float, vx: float, vy: float) -> None:
+    """Move the ball in row `i` in a substep, and note where that leaves it, shapes aside, and in a slot."""
+    put_ball(ball, x, y, vx, vy)
+    mark["met_x"] = x
+    mark["met_y"] = y
+    slot["x"] = x
+    slot["y"] = y
+    slot["radius"] = ball["radius"]
+    slot["ball"] = i
 
 
 def unsoundness(x: float, y: float, vx: float, vy: float) -> float:
