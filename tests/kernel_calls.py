@@ -89,7 +89,11 @@ def pairs_found_ahead(rows: Rows, room: int = 4096) -> list[Pair] | None:
     assert state["wanted_starts"] == len(starts)
     assert clear_grid(state, starts)
     grid = grid_ahead(state)
-    assert all(count_ball(grid, slots, starts, i, ball) for i, ball in enumerate(rows))
+    upper = slots[len(rows) : 2 * len(rows)]
+    for field in ("x", "y", "radius"):
+        upper[field] = rows[field]
+    upper["ball"] = np.arange(len(rows))
+    assert all(count_ball(grid, slot, starts) for slot in upper)
     pairs = np.full((0, 2), -1, "i4")
     # With more room it goes on from where it was.
     count = pairs_ahead(state, (slots, starts, pairs))

@@ -14,7 +14,7 @@ from typing import Any
 
 from carom.compiler.kernels import Kernel, kernel_modules
 
-#: Modules whose text matters to the compiled code besides the kernels: constants are compiled in.
+#: Modules whose text matters to the compiled code besides the kernels: constants are compiled in, and what arrays hold.
 SOURCES_BESIDES = (
     "carom.constants",
     "carom.compiler.block",
@@ -22,6 +22,7 @@ SOURCES_BESIDES = (
     "carom.compiler.door",
     "carom.compiler.entered",
     "carom.compiler.pipelines",
+    "carom.world.tables",
 )
 
 #: What Numba is told: no checks that the interpreter does not make, and other threads may go on meanwhile.

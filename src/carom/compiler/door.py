@@ -30,8 +30,8 @@ from carom.errors import CompileError
 VARIABLE = "CAROM_COMPILE"
 BACKGROUND, WAIT, OFF = WAYS = ("background", "wait", "off")
 
-#: The kernel that stands for the call of another by its address.
-CALL_AT = "call_at"
+#: Kernels that stand for what Python cannot say, and what makes code of each, in `carom.compiler.entered`.
+STAND_INS = {"call_at": "called", "prefetch": "prefetched"}
 
 _loaded: dict[Kernel, Kernel] = {}
 _registered: list[Kernel] = []
@@ -151,6 +151,7 @@ def register_once(numba: Any) -> None:
     """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
     if not _registered:
         _registered.extend(kernel_functions())
+        from carom.compiler import entered
         from carom.compiler.pipelines import CalleePipeline
 
         # No Python code calls the compiled callees, so there is no need of wrappers, which take long to compile.
@@ -161,10 +162,9 @@ def register_once(numba: Any) -> None:
             "pipeline_class": CalleePipeline,
         }
         for function in _registered:
-            if function.__name__ == CALL_AT:
-                from carom.compiler.entered import called
-
-                numba.extending.overload(function, jit_options=options)(called)
+            if function.__name__ in STAND_INS:
+                meaning = getattr(entered, STAND_INS[function.__name__])
+                numba.extending.overload(function, jit_options=options)(meaning)
             else:
                 numba.extending.register_jitable(**options)(function)
 

@@ -76,6 +76,32 @@ def called(function: Any, block: Any) -> Any:  # noqa: ARG001  # Numba compares 
     return call
 
 
+@intrinsic
+def _prefetched(_typing: Any, table: Any, place: Any) -> Any:
+    """The processor is told to have the cache line of an item at hand; it does not wait for it."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        array = make_array(signature.args[0])(context, builder, arguments[0])  # type: ignore[no-untyped-call]
+        flag, byte = ir.IntType(32), ir.IntType(8).as_pointer()
+        kind = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
+        fetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], kind)
+        place = builder.bitcast(builder.gep(array.data, [arguments[1]]), byte)
+        # To be read, kept in all caches, of data.
+        builder.call(fetch, [place, flag(0), flag(3), flag(1)])
+        return context.get_dummy_value()
+
+    return types.none(table, place), generate
+
+
+def prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
+    """How Numba is to understand `prefetch`, which does nothing where it is interpreted."""
+
+    def prefetch(table: Any, place: Any) -> Any:
+        _prefetched(table, place)  # type: ignore[call-arg]
+
+    return prefetch
+
+
 class Words:
     """64-bit words, one after the other, as generated code reads them."""
 

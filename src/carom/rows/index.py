@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8
+from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8, u4
 
 NO_CHILD = -1
 
@@ -18,7 +18,7 @@ class IndexRow(TypedDict):
     top: f8
     side: f8  # of a grid's cell
     reach: f8  # the largest radius of a ball that it serves
-    free_left: f8  # a rectangle in which a ball's centre has no shape's box in reach: see `free_rectangle`
+    free_left: f8  # a rectangle in which a ball's centre has no static shape's box in reach: see `find_free`
     free_bottom: f8
     free_right: f8
     free_top: f8
@@ -64,8 +64,8 @@ class SlotRow(TypedDict):
     x: f8
     y: f8
     radius: f8
-    ball: i4
-    cell: i4
+    ball: u4
+    cell: u4
 
 
 SLOT = dtype_of(SlotRow)

@@ -16,6 +16,11 @@ from carom.geometry.vector import length, rotated, unit
 from carom.rows.kinds import is_round, is_straight
 from carom.rows.shape import ARC, ARRIVED, CIRCLE, GATE, KINEMATIC, POINT, SEGMENT, STATIC, ShapeRow
 
+# What `advance` has done to a shape.
+STILL = 0
+POSED = 1
+UNPOSED = 2
+
 
 def derive(shape: ShapeRow) -> None:
     """Make the fields that follow from the current geometry agree with it: ends, tangent, middle, box.
@@ -119,6 +124,19 @@ def pose(shape: ShapeRow) -> None:
     moved by the way from hinge to pivot, which is that geometry bit for bit where the pivot is at the hinge. An
     orientation that has overflowed, whose sine nobody knows, makes the box infinite, by which a world sees it.
     """
+    c, s = cosine_and_sine(float(shape["orientation"]))
+    pose_by(shape, c, s)
+
+
+def cosine_and_sine(turn: float) -> tuple[float, float]:
+    """The cosine and the sine of an orientation; (1, 0) for one that has overflowed."""
+    if turn - turn != 0.0:
+        return 1.0, 0.0
+    return cos(turn), sin(turn)
+
+
+def pose_by(shape: ShapeRow, c: float, s: float) -> None:
+    """The same, given what `cosine_and_sine` says of the orientation: parts of a compound turn alike."""
     turn = float(shape["orientation"])
     if turn - turn != 0.0:
         _set_box(shape, turn, turn, turn, turn)
@@ -126,7 +144,7 @@ def pose(shape: ShapeRow) -> None:
     if turn == 0.0:
         _shift(shape)
     else:
-        _turn(shape, cos(turn), sin(turn))
+        _turn(shape, c, s)
     if shape["kind"] == ARC:
         shape["start_angle"] = normalize_angle(float(shape["initial_start_angle"]) + turn)
         shape["end_angle"] = normalize_angle(float(shape["initial_end_angle"]) + turn)
@@ -202,7 +220,15 @@ def acting_spin(shape: ShapeRow) -> float:
 
 
 def advance_pose(shape: ShapeRow, h: float) -> bool:
-    """Whether the shape moved in one substep of h seconds; moves it.
+    """Whether the shape moved in one substep of h seconds; moves it, as `advance` says, and poses it."""
+    how = advance(shape, h)
+    if how == UNPOSED:
+        pose(shape)
+    return how != STILL
+
+
+def advance(shape: ShapeRow, h: float) -> int:
+    """Whether the shape is STILL in one substep of h seconds, is POSED after it, or has moved and is to be posed yet.
 
     Stores what the substep began with (orientation_before, pivot_before) and the spin that acted in it. A stop is met
     exactly, and then angular_velocity is 0, while spin stays what it was on the way. So is the place where `move_to`
@@ -213,22 +239,21 @@ def advance_pose(shape: ShapeRow, h: float) -> bool:
     spin = acting_spin(shape)
     shape["spin"] = spin
     if shape["motion"] != KINEMATIC:
-        return False
+        return STILL
     left = float(shape["time_left"])
     if left > 0.0:
         if left <= h * STOP_MARGIN:
             _arrive(shape)
-            return True
+            return POSED
         shape["time_left"] = left - h
     if shape["rotating"]:
         _advance_orientation(shape, spin, h)
     x, y = float(shape["velocity_x"]), float(shape["velocity_y"])
     if spin == 0.0 and x == 0.0 and y == 0.0:
-        return False
+        return STILL
     shape["pivot_x"] = float(shape["pivot_x"]) + x * h
     shape["pivot_y"] = float(shape["pivot_y"]) + y * h
-    pose(shape)
-    return True
+    return UNPOSED
 
 
 def _advance_orientation(shape: ShapeRow, spin: float, h: float) -> None:
@@ -270,10 +295,16 @@ def turn_unposed(shape: ShapeRow, h: float) -> None:
 
 def reach_of(shape: ShapeRow) -> float:
     """How far from its pivot a shape reaches."""
+    dx, dy = reach_along_axes(shape)
+    return length(dx, dy)
+
+
+def reach_along_axes(shape: ShapeRow) -> tuple[float, float]:
+    """How far from its pivot the box of a shape reaches along x, and along y."""
     px, py = float(shape["pivot_x"]), float(shape["pivot_y"])
     dx = max(fabs(float(shape["left"]) - px), fabs(float(shape["right"]) - px))
     dy = max(fabs(float(shape["bottom"]) - py), fabs(float(shape["top"]) - py))
-    return length(dx, dy)
+    return dx, dy
 
 
 def _arrive(shape: ShapeRow) -> None:

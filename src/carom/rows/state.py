@@ -133,10 +133,10 @@ class StateRow(TypedDict):
     bin_mask: i8
     bin_levels: i8
     iteration: i8
-    cursor: i8  # the ball or pair at which the stage goes on
+    cursor: i8  # the ball or pair at which the stage goes on; in a beginning, how many balls it has moved (discrete)
     pairs: i8
     found: i8  # overlaps that this iteration has met
-    met_noted: i8  # whether it is noted already where balls come to in the substep, shapes aside (discrete)
+    met_noted: i8  # whether the step's beginning has moved the balls, and noted where they come to (discrete)
     near: i8  # balls that have a shape near, listed in the slots (discrete)
     grid_size: i8  # cells of a grid around all those places, laid ahead; 0: there is none (discrete)
     grid_stride: i8

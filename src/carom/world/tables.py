@@ -117,8 +117,8 @@ class Arrays:
         self.cells = np.zeros(256, CELL)
         self.members = np.zeros(256, "i4")
         self.slots = np.zeros(0, SLOT)
-        self.starts = np.zeros(0, "i4")
-        self.pairs = np.zeros((16, 2), "i4")
+        self.starts = np.zeros(0, "u4")
+        self.pairs = np.zeros((16, 2), "u4")
         self.saved = np.zeros(0, SAVED)
         self.hits = np.zeros(64, HIT)
         self._hits_seen: Rows | None = None
@@ -144,6 +144,7 @@ class Arrays:
 
     def block(self) -> Block:
         """The arguments of a step's kernel; that of the continuous mode has three more."""
+        discrete = self.states[0]["detection"] == DISCRETE
         tables = (
             self.states,
             self.balls.rows,
@@ -153,13 +154,14 @@ class Arrays:
             self.cells,
             self.members,
             self.slots,
-            self.starts,
+            # In the continuous mode lists of balls begin there, of which some have none: a number below 0.
+            self.starts if discrete else self.starts.view("i4"),
             self.pairs,
             self.saved,
             self.hits.view(HIT_ROW),
             self.relations,
         )
-        if self.states[0]["detection"] == DISCRETE:
+        if discrete:
             return Block(tables)
         bodies, contacts = self.island
         if len(bodies) < len(self.balls.rows) or len(contacts) < len(self.relations) // 2:

@@ -16,7 +16,7 @@ from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
-from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
+from carom.rows.state import BEGIN, DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Keep, Pair, Restitution
@@ -27,7 +27,7 @@ from carom.world.hits import Hits
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.continuous.frames import undo
 from carom.world.kernels.step.discrete import step_discrete
-from carom.world.kernels.step.rollback import roll_back
+from carom.world.kernels.step.rollback import call_back, roll_back
 from carom.world.members import NO_BALLS, Members
 from carom.world.queries import Queries
 from carom.world.refusal import refusal
@@ -258,7 +258,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
     def _give_up(self, error: BaseException) -> None:
         """Undo a step that was interrupted, and forget where it was."""
         state = self._states[0]
-        if not isinstance(error, (NonFiniteState, InvalidArgument, ImpactLimit)) and state["stage"] != 0:
+        if not isinstance(error, (NonFiniteState, InvalidArgument, ImpactLimit)):
             self._roll_back()
         clear_kernel_place(state)
         self._forget_block()
@@ -298,7 +298,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         tables = (
             arrays.states, arrays.balls.rows, arrays.shape_table.rows, arrays.order, arrays.saved, arrays.relations
         )  # fmt: skip
-        if arrays.states[0]["detection"] == DISCRETE:
+        if arrays.states[0]["stage"] == BEGIN:
+            call_back(arrays.states[0], arrays.balls.rows, arrays.saved)
+        elif arrays.states[0]["detection"] == DISCRETE:
             roll_back(*tables)
         else:
             undo(*tables, arrays.flights)

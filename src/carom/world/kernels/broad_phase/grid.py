@@ -15,8 +15,8 @@ from carom.world.kernels.broad_phase.pairs import may_touch, measure_balls, put_
 OWN_LINE, NEXT_LINE = 2, 3
 
 #: A grid of cells of one width: left, bottom, 1/side, columns and lines that balls may be in, stride and mask of
-#: numbers, and how many balls there are.
-Grid = tuple[float, float, float, float, float, int, int, int]
+#: numbers.
+Grid = tuple[float, float, float, float, float, int, int]
 
 
 def cell_of(offset: float, inverse_side: float) -> int:
@@ -131,22 +131,14 @@ def clear_grid(state: StateRow, starts: Table[int]) -> bool:
     return True
 
 
-def count_ball(grid: Grid, slots: Table[SlotRow], starts: Table[int], i: int, ball: BallRow) -> bool:
-    """True when the ball in row `i` is counted in its cell of a grid laid ahead, and stands in a slot.
-
-    False where it is off the grid.
-    """
-    left, bottom, inverse_side, columns, lines, stride, mask, total = grid
-    x, y = float(ball["x"]), float(ball["y"])
+def count_ball(grid: Grid, slot: SlotRow, starts: Table[int]) -> bool:
+    """True when the ball in a slot is counted in its cell of a grid laid ahead; False where it is off the grid."""
+    left, bottom, inverse_side, columns, lines, stride, mask = grid
+    x, y = float(slot["x"]), float(slot["y"])
     across, along = (x - left) * inverse_side, (y - bottom) * inverse_side
     if not (0.0 <= across < columns and 0.0 <= along < lines):
         return False
     cell = (int(across) + stride * int(along) + 1) & mask
-    slot = slots[total + i]
-    slot["x"] = x
-    slot["y"] = y
-    slot["radius"] = ball["radius"]
-    slot["ball"] = i
     slot["cell"] = cell
     starts[cell] += 1
     return True
@@ -156,12 +148,12 @@ def grid_ahead(state: StateRow) -> Grid:
     """The grid that was laid ahead, as `count_ball` takes it."""
     size, stride, mask = int(state["grid_size"]), int(state["grid_stride"]), int(state["grid_mask"])
     if size == 0:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0
     left, bottom, inverse_side = float(state["grid_left"]), float(state["grid_bottom"]), 1.0 / float(state["grid_side"])
     # A dense one has two columns and a line more than those that balls may be in; one that wraps around has no end.
     columns = float(stride - 2) if mask == -1 else CELL_CLAMP
     lines = float(size // stride - 1) if mask == -1 else CELL_CLAMP
-    return left, bottom, inverse_side, columns, lines, stride, mask, int(state["balls"])
+    return left, bottom, inverse_side, columns, lines, stride, mask
 
 
 def pairs_ahead(state: StateRow, pair_tables: PairTables) -> int:

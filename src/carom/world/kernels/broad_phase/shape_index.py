@@ -135,7 +135,8 @@ def build_index(
     entry["members_end"] = entry["members_begin"]
     entry["longest"] = 0
     entry["measured"] = 0
-    find_free(shapes, order, entry, begin, end)
+    if which == FIXED:
+        find_free(shapes, order, entry, begin, end)
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)

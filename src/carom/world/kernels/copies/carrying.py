@@ -80,9 +80,7 @@ def carry(
     state_words, ball_words, saved_words, flight_words, shape_words, relation_words = words
     begin = copy * int(layout["words"])
     carry_words(memory, begin, state_words, 0, int(layout["state_words"]), out)
-    size = int(layout["shape_words"])
-    for k in range(len(moving)):
-        carry_words(memory, begin + int(layout["moving_at"]) + k * size, shape_words, int(moving[k]) * size, size, out)
+    carry_moving(layout, memory, begin, shape_words, moving, out)
     carry_switches(marks, 8 * begin + int(layout["switches_at"]), shapes, switched, out)
     in_play = 8 * begin + int(layout["in_play_at"])
     row = 0
@@ -104,8 +102,25 @@ def carry(
     carry_words(memory, begin + int(layout["relations_at"]), relation_words, 0, high * size, out)
 
 
+def carry_moving(
+    layout: LayoutRow, memory: Table[int], begin: int, words: Table[int], moving: Table[int], out: bool
+) -> None:  # fmt: skip
+    """Carry the rows of kinematic shapes, those at once that follow each other, as parts of a compound do."""
+    size = int(layout["shape_words"])
+    k = 0
+    while k < len(moving):
+        end = k + 1
+        while end < len(moving) and moving[end] == moving[end - 1] + 1:
+            end += 1
+        at = begin + int(layout["moving_at"]) + k * size
+        carry_words(memory, at, words, int(moving[k]) * size, (end - k) * size, out)
+        k = end
+
+
 def carry_words(memory: Table[int], begin: int, table: Table[int], to: int, count: int, out: bool) -> None:
     """Carry words from the memory into a table, or back."""
+    # Neither is negative; where the compiler knows, it carries many words at once, and no index is wrapped around.
+    begin, to = max(begin, 0), max(to, 0)
     if out:
         for k in range(count):
             table[to + k] = memory[begin + k]

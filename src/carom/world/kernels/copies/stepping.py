@@ -5,6 +5,7 @@ from __future__ import annotations
 from carom.rows.copies import GIVE, LACKS_HITS, LACKS_MEMORY, PUT, STEP, STEP_DUE, TAKE, JobRow, LayoutRow
 from carom.rows.hit import BOUNCE, ENTER, HitRow
 from carom.rows.index import IndexRow
+from carom.rows.prefetch import prefetch
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
     DONE,
@@ -19,6 +20,9 @@ from carom.rows.state import (
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED
 from carom.world.kernels.copies.carrying import WordTables, put_copy, take_copy
+
+#: Words that come together from memory.
+LINE = 8
 
 
 def step_copies(
@@ -71,6 +75,7 @@ def step_copies(
             state["dt"] = job["dt"]
             state["steps_left"] = job["steps"]
             job["place"] = STEP
+            prefetch_copy(layout, memory, copy + 1)
         if job["place"] == STEP:
             status = call_step(job)
             if status == STEP_DUE or is_to_be_served(status):
@@ -93,6 +98,13 @@ def step_copies(
         job["place"] = TAKE
         job["next"] += 1
     return DONE
+
+
+def prefetch_copy(layout: LayoutRow, memory: Table[int], copy: int) -> None:
+    """Have what a copy needs at hand when its turn comes: to wait for memory may take as long as its step."""
+    begin = copy * int(layout["words"])
+    for word in range(begin, min(begin + int(layout["words"]), len(memory)), LINE):
+        prefetch(memory, word)
 
 
 def call_step(job: JobRow) -> int:

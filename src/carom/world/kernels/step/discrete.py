@@ -9,6 +9,7 @@ from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
 from carom.rows.pose import rest as let_rest
+from carom.rows.prefetch import prefetch
 from carom.rows.relation import RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -44,6 +45,9 @@ from carom.world.kernels.step.rounds import meet_all_shapes
 from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_end, substep_length
 
+#: So many pairs ahead of the one that is tested, rows of balls are brought near.
+PAIRS_AHEAD = 8
+
 
 def step_discrete(
     states: Table[StateRow],
@@ -71,7 +75,7 @@ def step_discrete(
     while state["steps_left"] > 0:
         stage = state["stage"]
         if stage == BEGIN:
-            status = begin_step(states, balls, shapes, order, saved, relations)
+            status = begin_step(states, balls, shapes, order, slots, saved, relations)
         elif stage == MOVE:
             status = begin_substep(states, balls, shapes, order, shape_index, saved, relations)
         elif stage == SHAPES:
@@ -110,11 +114,14 @@ def begin_substep(
     state = states[0]
     # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
-        if move_shapes(state, balls, shapes, order, substep_length(state)):
+        moved = move_shapes(state, balls, shapes, order, substep_length(state))
+        if moved:
             state["moving_stale"] = 1
         state["stage_entered"] = 1
         count = int(state["shapes"])
-        if not shapes_are_sound(shapes, order, count, count + int(state["movers"])):
+        # The first substep sees those too that were set where no number reaches; later ones see what has moved.
+        looked_at = count + int(state["movers"]) if moved or state["substep"] == 0 else count
+        if not shapes_are_sound(shapes, order, count, looked_at):
             roll_back(states, balls, shapes, order, saved, relations)
             return NOT_FINITE
     if not rebuild_index(state, balls, shapes, order, shape_index):
@@ -240,9 +247,11 @@ def meet_all_pairs(
 
     After the last iteration the shapes at rest come once more, if it met anything: they have the last word.
     """
+    last = int(state["pairs"]) - 1
     for k in range(state["cursor"], state["pairs"]):
         if lacks_room(state, len(hits), len(relations), k, 1):
             return NEEDS_ROOM
+        prefetch_pair(balls, saved, pairs, min(k + PAIRS_AHEAD, last))
         # The order of a pair's balls depends on the search; what follows from it must not.
         i = min(int(pairs[k, 0]), int(pairs[k, 1]))
         j = max(int(pairs[k, 0]), int(pairs[k, 1]))
@@ -261,6 +270,13 @@ def meet_all_pairs(
     return DONE
 
 
+def prefetch_pair(balls: Table[BallRow], saved: Table[SavedRow], pairs: Pairs, k: int) -> None:
+    """Have the rows of a pair's balls near when its turn comes: in a crowd they are far from those of the last."""
+    for side in range(2):
+        prefetch(balls, int(pairs[k, side]))
+        prefetch(saved, int(pairs[k, side]))
+
+
 def finish(
     state: StateRow,
     balls: Table[BallRow],
@@ -276,8 +292,12 @@ def finish(
             return NEEDS_ROOM
         sweep_relations(state, balls, shapes, hits, relations, substep_end(state))
     finish_substep(state, balls, substep_length(state))
+    state["substep"] += 1
+    if state["substep"] < state["substeps"]:
+        enter_stage(state, MOVE)
+        return DONE
+    # In other substeps those that have arrived rest before they would move on.
     for k in range(state["shapes"], state["shapes"] + state["movers"]):
         let_rest(shapes[order[k]])
-    state["substep"] += 1
-    enter_stage(state, MOVE if state["substep"] < state["substeps"] else END)
+    enter_stage(state, END)
     return DONE

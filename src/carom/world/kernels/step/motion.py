@@ -2,15 +2,33 @@
 
 from __future__ import annotations
 
-from math import fabs
+from math import fabs, inf
 
-from carom.constants import FEW_TO_ASK, INDEX_MARGIN
+from carom.constants import FEW_TO_ASK, INDEX_MARGIN, ROUNDING
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.pose import advance_pose, reach_of, turn_unposed, turns_only
+from carom.rows.index import SlotRow
+from carom.rows.pose import (
+    STILL,
+    UNPOSED,
+    advance,
+    cosine_and_sine,
+    pose_by,
+    reach_along_axes,
+    rest,
+    turn_unposed,
+    turns_only,
+)
+from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+
+#: A box that no place is outside of.
+EVERYWHERE = (-inf, -inf, inf, inf)
+
+#: The sides of a box: left, bottom, right, top.
+Box = tuple[float, float, float, float]
 
 
 def moved(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> tuple[float, float, float, float]:
@@ -31,8 +49,19 @@ def put_ball(ball: BallRow, x: float, y: float, vx: float, vy: float) -> None:
     ball["vy"] = vy
 
 
+def launch_ball(ball: BallRow, mark: SavedRow, slot: SlotRow, i: int, x: float, y: float, vx: float, vy: float) -> None:
+    """Move the ball in row `i` in a substep, and note where that leaves it, shapes aside, and in a slot."""
+    put_ball(ball, x, y, vx, vy)
+    mark["met_x"] = x
+    mark["met_y"] = y
+    slot["x"] = x
+    slot["y"] = y
+    slot["radius"] = ball["radius"]
+    slot["ball"] = i
+
+
 def unsoundness(x: float, y: float, vx: float, vy: float) -> float:
-    """0 where a place and a velocity are finite, NaN where they are not."""
+    """0 where a place and a velocity, or the sides of a box, are finite, NaN where they are not."""
     return ((x - x) + (y - y)) + ((vx - vx) + (vy - vy))
 
 
@@ -42,17 +71,29 @@ def move_shapes(
     """Move the kinematic shapes for `duration` seconds and wake the balls in their way; True if any shape moved.
 
     A shape's way is the box around its box before and after, and as far around that as a turning shape bulges. One that
-    turns far from all of a few balls is put to where it is when it matters: when a ball is near, or the step ends.
+    turns far from all of a few balls is put to where it is when it matters: when a ball is near, or the step ends. One
+    that has come in the last substep where `move_to` sent it rests first.
     """
     moved = False
     few = state["balls"] <= FEW_TO_ASK and state["sleeping"] == 0 and state["substep"] + 1 < state["substeps"]
+    around = box_of_ways(state, balls, duration) if few else EVERYWHERE
+    turn, c, s = 0.0, 1.0, 0.0
     for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
+        rest(shape)
+        if few and turns_only(shape, duration) and is_far_from_all(state, balls, shape, duration, around):
+            turn_unposed(shape, duration)
+            continue
         left, bottom = float(shape["left"]), float(shape["bottom"])
         right, top = float(shape["right"]), float(shape["top"])
-        if few and turns_only(shape, duration) and is_far_from_all(state, balls, shape, duration):
-            turn_unposed(shape, duration)
-        elif advance_pose(shape, duration):
+        how = advance(shape, duration)
+        if how == UNPOSED:
+            # Parts of a compound turn alike and follow each other.
+            if shape["orientation"] != turn:
+                turn = float(shape["orientation"])
+                c, s = cosine_and_sine(turn)
+            pose_by(shape, c, s)
+        if how != STILL:
             moved = True
             # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
@@ -65,13 +106,38 @@ def move_shapes(
     return moved
 
 
-def is_far_from_all(state: StateRow, balls: Table[BallRow], shape: ShapeRow, duration: float) -> bool:
+def box_of_ways(state: StateRow, balls: Table[BallRow], duration: float) -> Box:
+    """A box with all in it that a few balls come near to within a substep of `duration` seconds: see `is_far_from_all`.
+
+    None is outside that box by any rounding.
+    """
+    pull = length(float(state["gravity_x"]), float(state["gravity_y"])) * duration
+    left, bottom, right, top, most = inf, inf, -inf, -inf, 0.0
+    for i in range(state["balls"]):
+        ball = balls[i]
+        x, y = float(ball["x"]), float(ball["y"])
+        way = (length(float(ball["vx"]), float(ball["vy"])) + pull) * duration
+        most = larger(most, way + 3.0 * float(ball["radius"]))
+        left, bottom = smaller(left, x), smaller(bottom, y)
+        right, top = larger(right, x), larger(top, y)
+    most = most * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom) + fabs(right) + fabs(top))
+    return left - most, bottom - most, right + most, top + most
+
+
+def is_far_from_all(state: StateRow, balls: Table[BallRow], shape: ShapeRow, duration: float, around: Box) -> bool:
     """True if no ball comes near the circle that a turning shape stays in, within a substep of `duration` seconds.
 
-    Near is what the ball may fly, and three radii: other shapes and balls push it by less.
+    Near is what the ball may fly, and three radii: other shapes and balls push it by less. `around` is a box around all
+    of that.
     """
     x, y = float(shape["pivot_x"]), float(shape["pivot_y"])
-    reach = reach_of(shape) * INDEX_MARGIN
+    left, bottom, right, top = around
+    # Most shapes are far from that too, which is seen without a root.
+    dx, dy = reach_along_axes(shape)
+    reach = (dx + dy) * INDEX_MARGIN
+    if x + reach < left or x - reach > right or y + reach < bottom or y - reach > top:
+        return True
+    reach = length(dx, dy) * INDEX_MARGIN
     pull = length(float(state["gravity_x"]), float(state["gravity_y"])) * duration
     for i in range(state["balls"]):
         ball = balls[i]

@@ -7,6 +7,7 @@ from math import inf
 from carom.constants import FEW_TO_SORT
 from carom.geometry.vector import larger, smaller
 from carom.rows.ball import OF_WORLD, BallRow
+from carom.rows.index import SlotRow
 from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
@@ -25,7 +26,7 @@ from carom.rows.state import (
 )
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import lay_grid
-from carom.world.kernels.step.motion import moved, unsoundness, wake_all
+from carom.world.kernels.step.motion import launch_ball, moved, put_ball, unsoundness, wake_all
 from carom.world.kernels.step.spending import keep_spent, unspend
 from carom.world.kernels.step.times import substep_length
 
@@ -68,8 +69,8 @@ def is_good(ball: BallRow) -> bool:
 
 def is_in_reach(shape: ShapeRow) -> bool:
     """True if a shape is where numbers reach."""
-    low = is_finite(float(shape["left"])) and is_finite(float(shape["bottom"]))
-    return low and is_finite(float(shape["right"])) and is_finite(float(shape["top"]))
+    left, bottom = float(shape["left"]), float(shape["bottom"])
+    return unsoundness(left, bottom, float(shape["right"]), float(shape["top"])) == 0.0
 
 
 def shapes_are_sound(shapes: Table[ShapeRow], order: Table[int], begin: int, end: int) -> bool:
@@ -85,12 +86,16 @@ def begin_step(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
+    slots: Table[SlotRow],
     saved: Table[SavedRow],
     relations: Table[RelationRow],
 ) -> int:
-    """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad."""
+    """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad.
+
+    Of more than a few balls, none of which sleeps, the first substep's move is made already: see `look_at_balls`.
+    """
     state = states[0]
-    status, largest, braked = look_at_balls(state, balls, saved)
+    status, largest, braked = look_at_balls(state, balls, slots, saved)
     if status != DONE:
         return status
     if state["sleeping"] > 0:
@@ -100,6 +105,9 @@ def begin_step(
     state["step_hits"] = state["hits"]
     list_restless(state, shapes, order)
     save(states, shapes, order, relations)
+    # From here on `roll_back` undoes what has been done, until then `call_back`.
+    state["stage"] = MOVE
+    state["cursor"] = 0
     if state["wake"] != 0:
         wake_all(state, balls)
         state["wake"] = 0
@@ -112,7 +120,6 @@ def begin_step(
     state["outside"] = 0
     state["braked"] = braked
     state["stage_entered"] = 0
-    state["stage"] = MOVE
     return DONE
 
 
@@ -134,13 +141,13 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
 
 
 def look_at_balls(
-    state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]
+    state: StateRow, balls: Table[BallRow], slots: Table[SlotRow], saved: Table[SavedRow]
 ) -> tuple[int, float, int]:  # fmt: skip
     """DONE, or what is wrong with a ball; the largest radius, and how many balls have a friction of their own.
 
     Where none sleeps nobody will ask what was kept of the balls before, so what a step may change in them is kept in
-    the same go; of more than a few also where they come to in the first substep, shapes aside: `state["met_noted"]`
-    says so. Around these places a grid is laid where one serves.
+    the same go; and more than a few are moved in it to where they come to in the first substep, shapes aside:
+    `state["met_noted"]` says so. Around these places a grid is laid where one serves.
     """
     awake = state["sleeping"] == 0
     ahead = awake and state["balls"] > FEW_TO_SORT
@@ -149,9 +156,12 @@ def look_at_balls(
     left, bottom, right, top = inf, inf, -inf, -inf
     smallest, largest = inf, 0.0
     braked = 0
-    for i in range(state["balls"]):
+    state["cursor"] = 0
+    total = int(state["balls"])
+    for i in range(total):
         ball = balls[i]
         if not is_good(ball):
+            call_back(state, balls, saved)
             return (REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE), largest, braked
         radius = float(ball["radius"])
         smallest, largest = smaller(smallest, radius), larger(largest, radius)
@@ -160,9 +170,9 @@ def look_at_balls(
         if awake:
             save_ball(ball, kept)
         if ahead:
-            x, y, _vx, _vy = moved(ball, duration, gravity_x, gravity_y)
-            kept["met_x"] = x
-            kept["met_y"] = y
+            state["cursor"] = i + 1
+            x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
+            launch_ball(ball, kept, slots[total + i], i, x, y, vx, vy)
             left, bottom = smaller(left, x), smaller(bottom, y)
             right, top = larger(right, x), larger(top, y)
     state["grid_size"] = 0
@@ -204,6 +214,18 @@ def save_ball(ball: BallRow, kept: SavedRow) -> None:
     kept["met_y"] = ball["y"]
 
 
+def call_back(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:
+    """Put the balls back, as many as `state["cursor"]` says, that the beginning of a step has moved."""
+    for i in range(state["cursor"]):
+        put_back(balls[i], saved[i])
+    state["cursor"] = 0
+
+
+def put_back(ball: BallRow, kept: SavedRow) -> None:
+    """Put a ball back to where it was when it was saved, with the velocity that it had."""
+    put_ball(ball, float(kept["x"]), float(kept["y"]), float(kept["vx"]), float(kept["vy"]))
+
+
 def save(
     states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow]
 ) -> None:  # fmt: skip
@@ -236,14 +258,12 @@ def roll_back(
         ball, kept = balls[i], saved[i]
         # Python names the ball in the error, so the copy keeps which one it was.
         kept["overflowed"] = 0 if is_sound(ball) else 1
-        ball["x"] = kept["x"]
-        ball["y"] = kept["y"]
-        ball["vx"] = kept["vx"]
-        ball["vy"] = kept["vy"]
+        put_back(ball, kept)
         ball["still_time"] = kept["still_time"]
         ball["relation"] = kept["relation"]
         ball["asleep"] = kept["asleep"]
         ball["stray"] = kept["stray"]
+    state["cursor"] = 0
     count = int(state["shapes"])
     for k in range(count, count + state["movers"]):
         sound = is_in_reach(shapes[order[k]])

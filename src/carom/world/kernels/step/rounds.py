@@ -25,7 +25,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     rest_of_cell,
 )
-from carom.world.kernels.step.motion import moved, put_ball, unsoundness
+from carom.world.kernels.step.motion import launch_ball, moved, put_ball, unsoundness
 from carom.world.kernels.step.narrow import Way, boxes_apart, meet_shape
 from carom.world.kernels.step.seams import overlap_beside_walls
 from carom.world.kernels.step.stages import enter_stage, lacks_room
@@ -118,8 +118,8 @@ def meet_first_shapes(
         return NEEDS_PAIRS
     if state["stage_entered"] == 0:
         if state["substep"] > 0 or state["met_noted"] == 0:
-            note_all_met(state, balls, saved)
-        launch_balls(state, balls, shape_index, slots, starts)
+            launch_balls(state, balls, slots, saved)
+        list_near(state, shape_index, slots, starts, saved)
         state["stage_entered"] = 1
     most = most_meetings(state, shape_index[0])
     front = front_of(state, shape_index[0])
@@ -136,41 +136,52 @@ def meet_first_shapes(
             meet_shapes_near(state, ball, i, shapes, shape_index, hits, relations, mark, True, False, way)
             note_pairs_due(state, mark)
             note_met(mark, ball)
-        if state["grid_size"] > 0 and not count_ball(grid, slots, starts, i, ball):
-            leave_grid(state)
+        if state["grid_size"] > 0:
+            slot = slots[int(state["balls"]) + i]
+            slot["x"] = ball["x"]
+            slot["y"] = ball["y"]
+            if not count_ball(grid, slot, starts):
+                leave_grid(state)
     enter_stage(state, FIND_PAIRS)
     return DONE
 
 
-def launch_balls(
-    state: StateRow,
-    balls: Table[BallRow],
-    shape_index: ShapeIndex,
-    slots: Table[SlotRow],
-    starts: Table[int],
-) -> None:
-    """Move the balls; list those that have shapes near, and count the others in the grid that was laid ahead, if any.
-
-    The list stands in the slots, with the places from which they came. A loop with no more in it than this
-    keeps what it needs in registers.
-    """
+def launch_balls(state: StateRow, balls: Table[BallRow], slots: Table[SlotRow], saved: Table[SavedRow]) -> None:
+    """Move the balls as `look_at_balls` does in the first substep; where they come from stands in slots."""
     gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
+    for i in range(state["balls"]):
+        ball, mark = balls[i], saved[i]
+        mark["touched"] = 0
+        slots[i]["x"] = ball["x"]
+        slots[i]["y"] = ball["y"]
+        x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
+        launch_ball(ball, mark, slots[state["balls"] + i], i, x, y, vx, vy)
+    state["doubtful"] = 1
+
+
+def list_near(
+    state: StateRow, shape_index: ShapeIndex, slots: Table[SlotRow], starts: Table[int], saved: Table[SavedRow]
+) -> None:
+    """List the balls that have shapes near, and count the others in the grid that was laid ahead, if any.
+
+    The list stands in the lower half of the slots, with the places from which they came. A loop with no more in it than
+    this keeps what it needs in registers.
+    """
     front = front_of(state, shape_index[0])
     grid = grid_ahead(state)
     laid = state["grid_size"] > 0
-    listed = 0
-    for i in range(state["balls"]):
-        ball = balls[i]
-        from_x, from_y = float(ball["x"]), float(ball["y"])
-        x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
-        put_ball(ball, x, y, vx, vy)
-        if not is_free(front, x, y):
+    first = state["substep"] == 0
+    total, listed = int(state["balls"]), 0
+    for i in range(total):
+        slot = slots[total + i]
+        if not is_free(front, float(slot["x"]), float(slot["y"])):
+            # In a later substep they stand there, each at its own place, which is not before this one.
             slots[listed]["ball"] = i
-            slots[listed]["x"] = from_x
-            slots[listed]["y"] = from_y
+            slots[listed]["x"] = saved[i]["x"] if first else slots[i]["x"]
+            slots[listed]["y"] = saved[i]["y"] if first else slots[i]["y"]
             listed += 1
             continue
-        if laid and not count_ball(grid, slots, starts, i, ball):
+        if laid and not count_ball(grid, slot, starts):
             laid = False
             leave_grid(state)
     state["near"] = listed
@@ -179,18 +190,6 @@ def launch_balls(
 def leave_grid(state: StateRow) -> None:
     """Do without the grid that was laid ahead: a ball was pushed far out of it, or is not where numbers reach."""
     state["grid_size"] = 0
-    state["doubtful"] = 1
-
-
-def note_all_met(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:
-    """Note where all balls come to in a substep, shapes aside, and that none has touched anything yet."""
-    gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
-    for i in range(state["balls"]):
-        mark = saved[i]
-        mark["touched"] = 0
-        x, y, _vx, _vy = moved(balls[i], duration, gravity_x, gravity_y)
-        mark["met_x"] = x
-        mark["met_y"] = y
     state["doubtful"] = 1
 
 

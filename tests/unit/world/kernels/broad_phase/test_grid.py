@@ -64,15 +64,15 @@ def test_no_grid_is_laid_ahead_for_balls_of_very_different_sizes() -> None:
 def test_a_ball_may_leave_a_grid_laid_ahead_by_its_width_and_not_by_much_more() -> None:
     rows = ball_rows([(0, 0, 1.0), (10, 10, 1.0)])
     state = state_row(rows, "grid", 6)
-    slots, starts = np.zeros(6, SLOT), np.zeros(256, "i4")
+    slot, starts = np.zeros(1, SLOT)[0], np.zeros(256, "i4")
     for width in (4.0, 1e9):
         lay_grid(state, 0.0, 0.0, width, width, 1.0, 1.0)
         assert (state["grid_mask"] == -1) == (width == 4.0)
         for off, is_in in ((1.9, True), (1e10, False), (inf, False), (nan, False)):
             for x, y in ((-off, 0.0), (width + off, 0.0), (0.0, -off), (0.0, width + off)):
-                rows["x"][0], rows["y"][0] = x, y
-                assert count_ball(grid_ahead(state), slots, starts, 0, rows[0]) is is_in
+                slot["x"], slot["y"] = x, y
+                assert count_ball(grid_ahead(state), slot, starts) is is_in
     lay_grid(state, 0.0, 0.0, 4.0, 4.0, 1.0, 1.0)
-    for rows["x"][0] in (-2.1, 6.1):
-        rows["y"][0] = 1.0
-        assert not count_ball(grid_ahead(state), slots, starts, 0, rows[0])
+    for slot["x"] in (-2.1, 6.1):
+        slot["y"] = 1.0
+        assert not count_ball(grid_ahead(state), slot, starts)

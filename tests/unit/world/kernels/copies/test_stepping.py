@@ -1,10 +1,12 @@
 """Hits are given while there is room, and counted by what was met."""
 
 import numpy as np
+import pytest
 
-from carom.rows.copies import JOB, STEP_DUE
+from carom.rows.copies import JOB, LAYOUT, STEP_DUE
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT_ROW
-from carom.world.kernels.copies.stepping import call_at, call_step, count_hits, give_hits
+from carom.world.kernels.copies import stepping
+from carom.world.kernels.copies.stepping import LINE, call_at, call_step, count_hits, give_hits, prefetch_copy
 
 
 def test_hits_are_given_while_there_is_room() -> None:
@@ -29,6 +31,19 @@ def test_bounces_and_entries_are_counted_by_what_was_met() -> None:
     counts = np.zeros(2 * 2 * 2, np.int64)
     count_hits(hits, 5, 1, (np.array([2, 0, -1, 1]), counts))
     assert counts.reshape(2, 2, 2).tolist() == [[[0, 0], [0, 0]], [[1, 0], [1, 1]]]
+
+
+def test_all_of_a_copy_is_brought_near_and_nothing_behind_the_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    layout, memory, asked = np.zeros(1, LAYOUT)[0], np.zeros(60, np.int64), list[int]()
+    layout["words"] = 20
+    monkeypatch.setattr(stepping, "prefetch", lambda _memory, word: asked.append(word))
+    for copy in range(5):
+        prefetch_copy(layout, memory, copy)
+    for copy in range(3):
+        lines = {word // LINE for word in range(20 * copy, 20 * copy + 20 - LINE)}
+        assert lines <= {word // LINE for word in asked if 20 * copy <= word < 20 * copy + 20}
+    assert len(asked) == 9
+    assert max(asked) < 60
 
 
 def test_where_no_step_can_be_called_the_caller_makes_it() -> None:

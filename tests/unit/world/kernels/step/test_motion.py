@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 
 from carom import Ball, Segment
+from carom.rows.pose import advance_pose
 from carom.rows.tables import Row
 from carom.world.kernels.step.motion import (
+    EVERYWHERE,
+    box_of_ways,
+    is_far_from_all,
     move_shapes,
     moved,
     put_ball,
@@ -17,6 +21,7 @@ from carom.world.kernels.step.motion import (
     wake,
     wake_in_box,
 )
+from carom.world.kernels.step.rollback import list_restless
 from tests.kernel_calls import ball_rows, prepared, state_row
 from tests.worlds import world_of
 
@@ -74,6 +79,42 @@ def test_a_world_of_shapes_at_rest_does_not_move() -> None:
     before = room.shapes.used.tobytes()
     assert not move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, 0.5)
     assert room.shapes.used.tobytes() == before
+
+
+def test_the_box_around_all_ways_hides_no_ball_from_a_shape_that_turns() -> None:
+    random, far, seen_by_box = np.random.default_rng(1), 0, 0
+    nowhere = np.inf, np.inf, -np.inf, -np.inf
+    for scale in np.geomspace(1e-6, 1e6, 1000):
+        corner = random.uniform(-1, 1, 2) * scale * random.choice((0.0, 1.0, 1e9))
+        # Where all lies along one axis there is nothing to spare.
+        flat = np.array((1.0, random.choice((0.0, 1.0)))) * scale
+        x, y = (corner + random.uniform(0, 4, (2, 2)) * flat).T
+        hand = Segment((x[0], y[0]), (x[1], y[1]), motion="kinematic", pivot=tuple(corner))._row
+        balls = ball_rows((*(corner + random.uniform(-16, 16, 2) * flat), 0.3 * scale) for _ in range(2))
+        balls["vx"], balls["vy"] = random.uniform(-9, 9, (2, 2)) * scale
+        state = state_row(balls, "grid", 1)
+        state["gravity_y"] = -5.0 * scale
+        around = box_of_ways(state, balls, 0.1)
+        exact = is_far_from_all(state, balls, hand, 0.1, EVERYWHERE)
+        assert is_far_from_all(state, balls, hand, 0.1, around) == exact
+        far, seen_by_box = far + exact, seen_by_box + is_far_from_all(state, balls, hand, 0.1, around)
+    assert 100 < far < 900
+    assert is_far_from_all(state, balls, hand, 0.1, nowhere)
+
+
+def test_shapes_that_turn_alike_or_not_are_each_where_their_own_turn_puts_them() -> None:
+    spins = 0.3, 0.3, -7.0, 0.3, 0.0, 1e300
+    hands = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
+    room = prepared(world_of(*hands, substeps=1))
+    list_restless(room.states[0], room.shapes.rows, room.order)
+    alone = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
+    for _ in range(3):
+        assert move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, 0.5)
+        for row, hand in zip(room.shapes.used, alone, strict=True):
+            advance_pose(hand._row, 0.5)
+            expected = hand._row.copy()
+            expected["id"] = row["id"]
+            assert row == expected
 
 
 def test_who_is_woken_counts_its_rest_anew_and_who_is_roused_does_not() -> None:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Ball, Segment, World
+from carom.constants import FEW_TO_SORT
 from carom.rows.state import DONE, HAS_STRAYS, NOT_FINITE, REFUSED
 from carom.world.kernels.step.rollback import begin_step, end_step, find_strays, roll_back
 from carom.world.tables import Arrays
@@ -15,9 +16,8 @@ from tests.worlds import crowded, world_of
 
 def begun(arrays: Arrays) -> int:
     """The outcome of beginning a step."""
-    return begin_step(
-        arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
-    )
+    shapes = arrays.shapes.rows, arrays.order
+    return begin_step(arrays.states, arrays.balls.rows, *shapes, arrays.slots, arrays.saved, arrays.relations)
 
 
 def contents(arrays: Arrays) -> list[bytes]:
@@ -43,9 +43,11 @@ def contents(arrays: Arrays) -> list[bytes]:
         *[("elasticity", 0.0, DONE), ("friction", -1.0, DONE), ("x", -1e300, DONE)],
     ],
 )
-def test_a_step_does_not_begin_with_a_ball_that_cannot_be(field: str, value: float, status: int) -> None:
-    arrays = prepared(world_of(*(Ball((3.0 * k, 0), 1) for k in range(3))))
-    arrays.balls.rows[field][1] = value
+@pytest.mark.parametrize("balls", [3, FEW_TO_SORT + 2])
+def test_a_step_does_not_begin_with_a_ball_that_cannot_be(field: str, value: float, status: int, balls: int) -> None:
+    arrays = prepared(world_of(*(Ball((3.0 * k, 0), 1, (1, 2)) for k in range(balls)), gravity=(0, -1)))
+    arrays.states[0]["dt"] = 0.1
+    arrays.balls.rows[field][balls - 2] = value
     before = contents(arrays)
     assert begun(arrays) == status
     assert (contents(arrays) == before) == (status != DONE)

@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 
 import carom
-from carom import Ball, Circle, Point, Segment
+from carom import Arc, Ball, Circle, Gate, Point, Segment
 from carom.constants import FEW_TO_SORT
 from carom.rows.index import SLOT
 from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
 from carom.rows.state import DONE
 from carom.world.kernels.step.rollback import begin_step
-from carom.world.kernels.step.rounds import list_due
-from tests.kernel_calls import ball_rows, prepared, state_row
-from tests.worlds import bits, world_of
+from carom.world.kernels.step.rounds import launch_balls, list_due, list_near
+from tests.kernel_calls import ball_rows, prepared, shape_index, state_row
+from tests.worlds import bits, box, guarded, world_of
 
 HUGE = 1.5e308
 
@@ -85,18 +85,70 @@ def test_gravity_is_seen_to_take_a_ball_where_numbers_do_not_reach() -> None:
     assert world.snapshot() == before
 
 
-def test_places_are_noted_ahead_where_none_sleeps() -> None:
+def test_balls_are_moved_ahead_where_none_sleeps() -> None:
     balls = Ball((0, 0), 1, velocity=(2, 4)), *crowd(-2.0)
     arrays = prepared(world_of(Point((9, 9)), *balls, substeps=2))
     arrays.states[0]["dt"] = 1.0
-    tables = arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations
+    shapes = arrays.shapes.rows, arrays.order
+    tables = arrays.states, arrays.balls.rows, *shapes, arrays.slots, arrays.saved, arrays.relations
     assert begin_step(*tables) == DONE
     assert arrays.states[0]["met_noted"] == 1
     assert arrays.states[0]["grid_size"] > 0
     assert [arrays.saved[name][0] for name in ("x", "y", "met_x", "met_y")] == [0, 0, 1, 2]
+    assert arrays.balls.rows["x"][0] == 1.0
+    assert arrays.slots[arrays.balls.count].tolist()[:4] == (1.0, 2.0, 1.0, 0)
     arrays.states[0]["sleeping"] = 1
     assert begin_step(*tables) == DONE
     assert (arrays.states[0]["met_noted"], arrays.states[0]["grid_size"]) == (0, 0)
+
+
+@pytest.mark.parametrize("substeps", [1, 3])
+def test_each_of_many_comes_to_a_shape_from_where_it_was_in_that_substep_as_it_does_alone(substeps: int) -> None:
+    shapes = [
+        *(*box(20, 10), Gate((6, 3), (6, 9), direction=(1, 0)), Arc((14, 5), 3, 0.5, 3.0)),
+        *guarded([Segment((0, 6), (5, 6)), Segment((9, 2), (9, 8))]),
+    ]
+    random, count = np.random.default_rng(1), FEW_TO_SORT + 4
+    place, speed = random.uniform(1, (19, 9), (count, 2)), random.uniform(-60, 60, (count, 2))
+
+    def room(which: slice) -> carom.World:
+        world = world_of(*map(copy, shapes), gravity=(0, -9), substeps=substeps)
+        world.add_balls(place[which], speed[which], radius=0.4, layer=2, collides_with=1)
+        return world
+
+    many, alone = room(slice(None)), [room(slice(k, k + 1)) for k in range(count)]
+    for _ in range(8):
+        for world in (many, *alone):
+            world.step(1 / 60)
+        assert many.balls.position.tolist() == [world.balls.position[0].tolist() for world in alone]
+        assert many.balls.velocity.tolist() == [world.balls.velocity[0].tolist() for world in alone]
+    assert many.statistics.collisions > 5
+
+
+def test_a_ball_that_a_shape_has_pushed_is_looked_for_where_it_was_pushed_to() -> None:
+    world = world_of(Segment((-5, 0), (5, 0)), Ball((0, 0.7), 1), *crowd(-2.0), substeps=1, iterations=1)
+    world.step(1 / 60)
+    arrays, count = world._arrays, len(world.balls)
+    assert world.balls.position[0].tolist() == [0.0, 1.0]
+    assert arrays.slots["y"][count : 2 * count].tolist() == world.balls.position[:, 1].tolist()
+
+
+def test_those_near_shapes_are_listed_with_the_places_that_they_come_from() -> None:
+    balls = [Ball((x, 10), 1, velocity=(0, 8)) for x in (10.0, 0.5, 20.0, 80.0)]
+    arrays = prepared(world_of(*box(80, 40), *balls, *crowd(60.0)))
+    state, index, slots = arrays.states[0], shape_index(arrays), arrays.slots
+    state["dt"], state["substeps"] = 0.5, 2
+    shapes = arrays.shapes.rows, arrays.order
+    assert begin_step(arrays.states, arrays.balls.rows, *shapes, slots, arrays.saved, arrays.relations) == DONE
+    for substep in range(2):
+        state["substep"], state["grid_size"] = substep, 0
+        if substep > 0:
+            launch_balls(state, arrays.balls.rows, slots, arrays.saved)
+        list_near(state, index, slots, arrays.starts, arrays.saved)
+        assert slots["ball"][: state["near"]].tolist() == [1, 3]
+        assert slots["x"][:2].tolist() == [0.5, 80.0]
+        assert slots["y"][:2].tolist() == [10.0 + 2.0 * substep] * 2
+        assert arrays.balls.used["y"][:4].tolist() == [12.0 + 2.0 * substep] * 4
 
 
 def test_those_that_are_due_are_listed_in_the_order_of_their_rows() -> None:
