@@ -377,7 +377,17 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
 def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
     replay = opened(furnished_run(), width=width, height=height)
     assert replay("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]") == [width, height]
-    controls = ("#start-pause", "#step-back", "#hit-forth", "#scrub", "#speed", "#time", "#tab-layers", "#theme", "#fit")
+    controls = (
+        "#start-pause",
+        "#step-back",
+        "#hit-forth",
+        "#scrub",
+        "#speed",
+        "#time",
+        "#tab-layers",
+        "#theme",
+        "#fit",
+    )
     for control in controls:
         box = replay.page.locator(control).bounding_box()
         assert box is not None
