@@ -22,10 +22,11 @@ extensions = [
     "sphinx.ext.napoleon",
     "myst_nb",
     "sphinx_gallery.gen_gallery",
-    "mathml",  # the four of docs/extensions
+    "mathml",  # the five of docs/extensions
     "drawings",
     "pages",
     "runs",
+    "themes",
 ]
 exclude_patterns = ["_build", "pictures/README.md", "gallery/*.ipynb", "gallery/*.py"]
 default_role = "code"

@@ -11,7 +11,9 @@ from matplotlib.artist import Artist
 from matplotlib.colors import is_color_like, to_hex, to_rgba
 
 if TYPE_CHECKING:
+    from docutils import nodes
     from matplotlib.figure import Figure
+    from sphinx.application import Sphinx
 
 #: What is black or white on a light page, and what it is on a dark one; grounds are clear on both.
 DARK = {"#000000": "#cfd0d0", "#ffffff": "#131416"}
@@ -80,3 +82,25 @@ def show_plots_in_both() -> None:
     if shell is not None:
         shell.run_line_magic("matplotlib", "inline")  # now, for it forgets how figures are shown
         shell.display_formatter.formatters["text/html"].for_type(Figure, html)
+
+
+def in_both(app: Sphinx, page: nodes.document) -> None:
+    """Let each picture of a page that has another one for dark pages beside it, `name-dark.png`, be shown as suits."""
+    from docutils import nodes
+
+    folder = Path(app.env.doc2path(app.env.docname)).parent
+    for light in list(page.findall(nodes.image)):
+        there = Path(light["uri"])
+        dark = there.with_stem(f"{there.stem}-dark")
+        if (folder / dark).is_file():
+            other = light.deepcopy()
+            other["uri"] = dark.as_posix()
+            light["classes"].append("only-light")
+            other["classes"].append("only-dark")
+            light.parent.insert(light.parent.index(light) + 1, other)
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Look for pictures for dark pages before Sphinx collects what pages show."""
+    app.connect("doctree-read", in_both, priority=400)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -79,3 +79,18 @@ def test_a_plot_of_a_notebook_is_two_images(monkeypatch: pytest.MonkeyPatch) -> 
     plt.close("all")
     assert text.count("<img ") == 2
     assert 'class="only-dark"' in text
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_a_picture_that_has_one_for_dark_pages_beside_it_is_two_images(tmp_path: Path, dark: bool) -> None:
+    nodes, utils = pytest.importorskip("docutils.nodes"), pytest.importorskip("docutils.utils")
+    (tmp_path / "pictures").mkdir()
+    for name in ("plot.png", "plot-dark.png")[: 1 + dark]:
+        (tmp_path / "pictures" / name).touch()
+    page = utils.new_document("page")
+    page += nodes.image(uri="pictures/plot.png", alt="A plot")
+    env = SimpleNamespace(docname="page", doc2path=lambda name: str(tmp_path / f"{name}.md"))
+    themes.in_both(SimpleNamespace(env=env), page)  # type: ignore[arg-type]
+    shown = [(image["uri"], image["alt"], image["classes"]) for image in page.findall(nodes.image)]
+    light, other = ("pictures/plot.png", "A plot"), ("pictures/plot-dark.png", "A plot")
+    assert shown == ([(*light, ["only-light"]), (*other, ["only-dark"])] if dark else [(*light, [])])

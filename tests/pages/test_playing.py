@@ -26,7 +26,7 @@ def test_it_loads_without_a_word_and_without_the_network(opened: Opened) -> None
     replay = opened(furnished_run())
     assert replay.said == []
     assert [url.partition(":")[0] for url in replay.asked] == ["file"]
-    replay.page.click("#play")
+    replay.page.click("#start-pause")
     replay.wait_until("replay.player.time > 0.1")
     for tab in ("statistics", "layers", "hits"):
         replay.page.click(f"#tab-{tab}")
@@ -65,6 +65,17 @@ def test_with_play_behind_its_address_it_begins_by_itself_but_for_who_wants_no_m
 
 
 @pytest.mark.slow
+def test_a_page_around_it_stays_where_it_is_when_it_begins_by_itself(opened: Opened, tmp_path: Path) -> None:
+    page = opened(furnished_run()).page
+    around = tmp_path / "around.html"
+    around.write_text('<iframe src="run.html#play" style="width: 100%; height: 700px; margin: 500px 0"></iframe>')
+    page.goto(around.as_uri())
+    page.frame_locator("iframe").locator("html[data-ready]").wait_for(state="attached")
+    page.wait_for_timeout(300)
+    assert page.evaluate("[scrollY, document.activeElement.tagName]") == [0, "BODY"]
+
+
+@pytest.mark.slow
 def test_it_may_not_use_the_network_even_if_it_tried(opened: Opened) -> None:
     replay = opened(furnished_run())
     tried = "fetch('data:text/plain,words').then(() => 'loaded', () => 'refused')"
@@ -78,7 +89,7 @@ def test_every_run_is_shown_without_a_word(opened: Opened, name: str) -> None:
     for layer in Layer:
         replay("name => replay.layers.turn(name, true)", layer.value)
     replay.seek(0.05)
-    replay.page.click("#play")
+    replay.page.click("#start-pause")
     replay.page.click("#tab-statistics")
     replay.picture()
     assert replay.said == []
@@ -117,16 +128,16 @@ def test_it_plays_in_the_frame_that_notebooks_show(browser: Browser) -> None:
 def test_it_plays_pauses_and_plays_again(opened: Opened) -> None:
     replay = opened(furnished_run())
     assert replay.time == 0.0
-    replay.page.click("#play")
+    replay.page.click("#start-pause")
     replay.wait_until("replay.player.time > 0.2")
-    assert replay.page.get_attribute("#play", "aria-label") == "Pause"
-    replay.page.click("#play")
+    assert replay.page.get_attribute("#start-pause", "aria-label") == "Pause"
+    replay.page.click("#start-pause")
     paused = replay.time
     replay.page.wait_for_timeout(100)
     assert replay.time == paused
     replay.seek(2.0)
-    assert replay.page.get_attribute("#play", "aria-label") == "Play again"
-    replay.page.click("#play")
+    assert replay.page.get_attribute("#start-pause", "aria-label") == "Play again"
+    replay.page.click("#start-pause")
     assert replay.time < 1.0
     assert replay("replay.player.playing")
 
@@ -135,7 +146,7 @@ def test_it_plays_pauses_and_plays_again(opened: Opened) -> None:
 def test_it_stops_at_the_end(opened: Opened) -> None:
     replay = opened(furnished_run())
     replay.seek(1.9)
-    replay.page.click("#play")
+    replay.page.click("#start-pause")
     replay.wait_until("!replay.player.playing")
     assert replay.time == pytest.approx(2.0)
     assert replay.page.inner_text("#time") == "2.000"
@@ -366,7 +377,17 @@ def test_it_follows_the_readers_theme_until_told_otherwise(opened: Opened) -> No
 def test_it_fits_every_window(opened: Opened, width: int, height: int) -> None:
     replay = opened(furnished_run(), width=width, height=height)
     assert replay("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]") == [width, height]
-    controls = ("#play", "#step-back", "#hit-forth", "#scrub", "#speed", "#time", "#tab-layers", "#theme", "#fit")
+    controls = (
+        "#start-pause",
+        "#step-back",
+        "#hit-forth",
+        "#scrub",
+        "#speed",
+        "#time",
+        "#tab-layers",
+        "#theme",
+        "#fit",
+    )
     for control in controls:
         box = replay.page.locator(control).bounding_box()
         assert box is not None

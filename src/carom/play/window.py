@@ -20,7 +20,7 @@ RATE = 60
 #: Seconds: a frame that took longer, as when the window was moved, counts as so long.
 LONGEST_FRAME = 0.25
 #: What is written in the picture's lower left corner while it is so.
-COMPILING = "compiling in the background, once on this machine, for {:.0f} s: until then time is slow, or stands still"
+COMPILING = "compiling in the background, once on this machine, for {:.0f} s: until then it may be slow, or stand still"
 #: What is written there: letters of so many pixels, their ink, its plate.
 SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
 #: What a window says until its first frame.

@@ -8,7 +8,7 @@ import pytest
 import carom
 from carom.play.pinball.rules import lamps
 from carom.play.pinball.rules.events import EventKind
-from carom.play.pinball.rules.table import BALL_RADIUS, IDLE_SPIN, MOST_SPIN, STEP, Table
+from carom.play.pinball.rules.table import BALL_RADIUS, IDLE_SPIN, MOST_SPIN, SERVE_PLACE, STEP, Table
 
 
 @pytest.fixture
@@ -248,3 +248,13 @@ def test_nothing_tunnels_at_the_highest_speed(table: Table) -> None:
                 break
             assert table.beyond_lane(x, y) > 0.0
         world.remove(ball)
+
+
+def test_a_step_compares_a_ball_with_few_shapes_so_that_it_is_quick_enough_interpreted_too(table: Table) -> None:
+    table.world.add(carom.Ball(SERVE_PLACE, BALL_RADIUS))
+    table.world.run(1.0, STEP)
+    before = table.world.statistics.box_tests
+    for _ in range(48):
+        table.world.step(STEP)
+    # The ball is pressed into the corner of the plunger, where it meets its neighbours in every iteration.
+    assert (table.world.statistics.box_tests - before) / 48 < 100

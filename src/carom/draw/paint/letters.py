@@ -9,6 +9,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from carom.draw.paint import directions
 from carom.draw.paint.svg import printable
 from carom.errors import LettersWarning
 from carom.extras import needed
@@ -26,6 +27,8 @@ FACES = (
     "NotoSansHebrew-{}.ttf",
     "NotoSansGeorgian-{}.ttf",
 )
+#: In the names of the files whose letters join.
+ARABIC = "Arabic"
 #: Letters are drawn so many times larger and made smaller, for fonts put small letters at whole pixels, unevenly apart.
 FINER = 4
 #: Pixels: the size at which fonts are asked which letters they have.
@@ -53,10 +56,11 @@ class Letters:
     def _rendered(self, words: str, pixels: float, colour: Colour, *, bold: bool = False) -> tuple[Any, int]:
         """Words as a surface, and the pixels from its upper edge to their baseline."""
         height = max(1, round(FINER * pixels))
-        pieces = []
-        for file, letters in groupby(printable(words), lambda letter: self._file_of(letter, bold=bold)):
-            font = self._font(file, height)
-            pieces.append((font.render("".join(letters), True, colour), font.get_ascent()))
+        pieces = [
+            piece
+            for line, from_right in directions.pieces(printable(words))
+            for piece in self._drawn(line, height, colour, bold=bold, from_right=from_right)
+        ]
         ascent = max((above for _, above in pieces), default=0)
         width = -(-sum(piece.get_width() for piece, _ in pieces) // FINER)
         below = max((piece.get_height() - above for piece, above in pieces), default=0)
@@ -68,6 +72,19 @@ class Letters:
             large.blit(piece, (left, ascent - above))
             left += piece.get_width()
         return self._pygame.transform.smoothscale(large, (width, lines)), round(ascent / FINER)
+
+    def _drawn(
+        self, words: str, height: int, colour: Colour, *, bold: bool, from_right: bool
+    ) -> list[tuple[Any, int]]:  # fmt: skip
+        """Words of one direction as surfaces from left to right, one for each font, with the pixels above baselines."""
+        found = []
+        for file, letters in groupby(words, lambda letter: self._file_of(letter, bold=bold)):
+            font = self._font(file, height)
+            font.set_direction(self._pygame.DIRECTION_RTL if from_right else self._pygame.DIRECTION_LTR)
+            if ARABIC in file:
+                font.set_script("Arab")  # which joins its letters
+            found.append((font.render("".join(letters), True, colour), font.get_ascent()))
+        return found[::-1] if from_right else found
 
     def _found(self, letter: str, *, bold: bool) -> str:
         """The file of the first font that has a letter; of the first one where none has."""

@@ -62,7 +62,7 @@ class Page {
 
   connect() {
     const press = {
-      play: () => this.togglePlay(),
+      "start-pause": () => this.togglePlay(),
       "step-back": () => this.step(-1),
       "step-forth": () => this.step(1),
       "hit-back": () => this.jumpBy(-1),
@@ -85,8 +85,8 @@ class Page {
   connectKeys(press) {
     const by = (seconds) => this.seek(this.player.time + seconds);
     listenToKeys({
-      " ": press.play,
-      k: press.play,
+      " ": press["start-pause"],
+      k: press["start-pause"],
       ArrowLeft: (event) => (event.shiftKey ? by(-1) : this.step(-1)),
       ArrowRight: (event) => (event.shiftKey ? by(1) : this.step(1)),
       Home: () => this.seek(this.motion.start),
@@ -260,10 +260,10 @@ class Page {
     const state = playing ? "pause" : ended ? "again" : "play";
     if (this.state === state) return;
     this.state = state;
-    element("play").querySelector("use").setAttribute("href", `#i-${state}`);
+    element("start-pause").querySelector("use").setAttribute("href", `#i-${state}`);
     const words = { pause: "Pause", again: "Play again", play: "Play" }[state];
-    element("play").title = `${words} (space)`;
-    element("play").setAttribute("aria-label", words);
+    element("start-pause").title = `${words} (space)`;
+    element("start-pause").setAttribute("aria-label", words);
   }
 }
 
@@ -272,6 +272,7 @@ try {
   // For those who look inside: the page's whole state, from the console.
   window.replay = new Page(run);
   const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  // No element may have that id: browsers scroll to it, and the page around a frame with it.
   if (location.hash === "#play" && !still) window.replay.player.play();
   document.documentElement.dataset.ready = "yes";
 } catch (error) {

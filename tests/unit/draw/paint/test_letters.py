@@ -56,6 +56,21 @@ def test_a_word_of_two_scripts_stands_on_one_line() -> None:
     assert np.abs(lower[:, :lines].astype(int) - alone[:, :lines]).mean() < 12.0
 
 
+def test_hebrew_is_drawn_from_the_right() -> None:
+    pytest.importorskip("pygame_gui")
+    word, last, first = (Letters().surface(words, 40.0, BLACK)[0] for words in ("\u05e9\u05d5", "\u05d5", "\u05e9"))
+    covers = pygame.surfarray.array_alpha(word).astype(int)
+    left = np.abs(covers[: last.get_width() - 2] - pygame.surfarray.array_alpha(last)[:-2]).mean()
+    assert last.get_width() < 0.7 * first.get_width()
+    assert left < 12.0
+
+
+def test_arabic_letters_join() -> None:
+    pytest.importorskip("pygame_gui")
+    joined = Letters().surface("\u0633\u0644\u0633", 40.0, BLACK)[0].get_width()
+    assert joined < 0.9 * sum(Letters().surface(letter, 40.0, BLACK)[0].get_width() for letter in "\u0633\u0644\u0633")
+
+
 @pytest.mark.usefixtures("without_fonts")
 def test_without_the_fonts_pygames_own_is_used_and_one_line_says_so() -> None:
     made = Letters()

@@ -94,7 +94,6 @@ class Table:
     def __init__(self) -> None:
         self.world = carom.scenes.pinball().build()
         self.world.substeps = 1
-        self.world.broad_phase = "brute"  # the quickest for so few shapes of which some always move
         self.world.remove(*self.world.balls)
         self._saucer = self.world.add(carom.Circle(SAUCER_PLACE, SAUCER_RADIUS, sensor=True, name=SAUCER))
         #: Every part by the id of its shape, as hits name it.
