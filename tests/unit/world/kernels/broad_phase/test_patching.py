@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import carom
 from carom.rows.state import QUADTREE
@@ -52,10 +54,36 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
     world.add(carom.Point((2, 2)), carom.Arc((3, 3), 1.0, 0.0, 4.0))
     assert patched(world)
     assert world._arrays.states[0]["moving_stale"] == 1
-    assert not world._arrays.index[0]["measured"]
     found = cells_of(world._arrays)
     assert found == made_anew(world._arrays)
     assert sum(map(len, found[1])) > 50
+
+
+def clear_of(world: carom.World) -> NDArray[np.int64]:
+    """How far each cell of the static shapes is from those with members, as it is written there."""
+    entry = world._arrays.index[0]
+    return world._arrays.cells["clear"][: int(entry["columns"]) * int(entry["lines"])].copy()
+
+
+@pytest.mark.parametrize("gone", [0, 4])
+def test_cells_know_how_near_what_has_come_is_and_never_say_more(gone: int) -> None:
+    world = carom.World()
+    world.add(*(carom.Point((2.0 * k, 2.0 * j)) for k in (0, 1, 2, 3, 9, 10, 11, 12) for j in (0, 1, 2, 8, 9, 10)))
+    world.add(carom.Ball((-1, -1), RADIUS))
+    prepare_index(world, RADIUS)
+    state, entry, cells = world._arrays.states[0], world._arrays.index[0], world._arrays.cells
+    state["index_stale"], state["reach"] = 0, RADIUS
+    measure_clear(entry, cells)
+    before = clear_of(world)
+    world.remove(*list(world.shapes)[20 : 20 + gone])
+    world.add(carom.Point((12.0, 10.0)), carom.Segment((4.0, 12.0), (6.0, 8.0)), carom.Point((22.3, 8.7)))
+    assert patched(world)
+    now = clear_of(world)
+    measure_clear(world._arrays.index[0], world._arrays.cells)
+    exact = clear_of(world)
+    assert (now <= exact).all()
+    assert (now == exact).all() == (gone == 0)
+    assert (now < before).sum() > 100
 
 
 def test_one_of_many_at_the_edge_goes_and_comes_like_any_other() -> None:
