@@ -273,8 +273,11 @@ def meet_all_pairs(
 def prefetch_pair(balls: Table[BallRow], saved: Table[SavedRow], pairs: Pairs, k: int) -> None:
     """Have the rows of a pair's balls near when its turn comes: in a crowd they are far from those of the last."""
     for side in range(2):
-        prefetch(balls, int(pairs[k, side]))
-        prefetch(saved, int(pairs[k, side]))
+        row = int(pairs[k, side])
+        prefetch(balls, row)
+        # Rows do not begin where what comes from memory at once does: the end of each comes with the next one.
+        prefetch(balls, row + 1)
+        prefetch(saved, row + 1)
 
 
 def finish(
