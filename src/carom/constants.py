@@ -93,8 +93,8 @@ TREE_COPIES_OF_SHAPES = 3
 INDEX_CELLS_PER_SHAPE = 64
 INDEX_CELLS_MOST = 65536
 
-#: Balls up to this many look at each kinematic shape's box: to file a shape in cells whenever it moves takes as long as
-#: some hundred looks. Changes the speed alone, and the number of box tests.
+#: Balls up to this many look at the box of each of `FEW_SHAPES` kinematic shapes in discrete mode, near which they are.
+#: Changes the speed alone, and the number of box tests.
 FEW_BALLS = 64
 
 #: Balls up to this many are asked whether they are near before a shape that turns is put to where it is. Changes the
@@ -264,13 +264,20 @@ FLIGHT_SLICES = 64
 CROWD_SLICES = 8
 
 #: Static shapes, and kinematic ones, up to this many are all tested against a ball's way in continuous mode, without an
-#: index.
+#: index; kinematic ones in discrete mode by few balls.
 FEW_SHAPES = 16
 
-#: For how long the index of kinematic shapes that travel holds in continuous mode: the time in which they go so many of
-#: their own widths and balls', on the whole. More, and it is made anew less often, and shapes are looked at from
-#: farther off.
+#: For how long the index of kinematic shapes that travel holds: the time in which they go so many of their own widths
+#: and balls', on the whole. More, and it is made anew less often, and shapes are looked at from farther off.
 REGION_WAY = 4.0
+
+#: Box tests that take as long as filing a shape in cells: where regions would cost balls more of them, shapes that have
+#: moved are filed anew in discrete mode. Changes the speed alone.
+REGION_LOAD = 500.0
+
+#: Substeps for which it holds at most in discrete mode, in each of which rounding takes a shape from its way. More, and
+#: shapes are looked at from farther off, far from the origin.
+REGION_SUBSTEPS = 1024
 
 #: Times the mean width of the regions of all that moves, and widths of a cell: a shape whose region is wider is asked
 #: everywhere.

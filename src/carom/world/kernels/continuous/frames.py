@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import NEVER
+from carom.geometry.instants import later
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
@@ -33,7 +34,6 @@ from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from carom.world.kernels.continuous.arrival import energy_of, note_all_passing
 from carom.world.kernels.continuous.flight import age_now, place_after
-from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import (

@@ -5,6 +5,9 @@ Each stage can stop where room runs out, and go on from there when there is more
 
 from __future__ import annotations
 
+from math import inf
+
+from carom.constants import REGION_SUBSTEPS
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
@@ -35,6 +38,7 @@ from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_ahead, pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.patching import patch_index
+from carom.world.kernels.broad_phase.regions import build_regions, span_on_way
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index
 from carom.world.kernels.step.ending import finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_shapes
@@ -110,8 +114,9 @@ def begin_substep(
     state = states[0]
     # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
-        if move_shapes(state, balls, shapes, order, substep_length(state)):
-            state["moving_stale"] = 1
+        duration = substep_length(state)
+        if move_shapes(state, balls, shapes, order, duration):
+            spend_span(state, shape_index[0][MOVING], duration)
         state["stage_entered"] = 1
         count = int(state["shapes"])
         if not shapes_are_sound(shapes, order, count, count + int(state["movers"])):
@@ -132,15 +137,24 @@ def rebuild_index(
     order: Table[int],
     shape_index: ShapeIndex,
 ) -> bool:
-    """True when the index of the shapes is right again; False where it has no room."""
-    index, cells, members = shape_index
+    """True when the index of the shapes, which rows show where they are, is right again; False where it has no room."""
     if not rebuild_static(state, balls, shapes, order, shape_index):
         return False
     if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+        span = span_on_way(state, shapes, order)
+        if span < inf:
+            span = min(span, REGION_SUBSTEPS * substep_length(state))
+        if not build_regions(state, shapes, order, shape_index, span, True):
             return False
         state["moving_stale"] = 0
     return True
+
+
+def spend_span(state: StateRow, entry: IndexRow, duration: float) -> None:
+    """Let so many seconds be over of those for which the regions of kinematic shapes hold."""
+    entry["span"] -= duration
+    if entry["span"] < 0.0:
+        state["moving_stale"] = 1
 
 
 def rebuild_static(
@@ -158,7 +172,7 @@ def rebuild_static(
         state["moving_stale"] = 1
     if state["index_stale"] != 0:
         state["index_stale"] = STALE
-        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+        if not build_index(state, balls, shapes, order, shape_index):
             return False
         state["index_stale"] = 0
         # The kinematic index begins where the static one ends.

@@ -54,6 +54,9 @@ def move_shapes(
             turn_unposed(shape, duration)
         elif advance_pose(shape, duration):
             moved = True
+            if shape["time_left"] < 0.0:
+                # It was put where it was sent, wherever its region is.
+                state["moving_stale"] = 1
             # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
                 bulge = turning_bulge(shape)

@@ -37,7 +37,7 @@ def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
     prepare_index(world, 1.0)
     arrays = world._arrays
     places = ((5.0, 1.5), (11.2, 0.0), (1e300, 0.0), (0.0, -inf), (nan, 0.0), (0.0, nan))
-    cells = [locate(arrays.states[0], arrays.index[FIXED], arrays.cells, x, y) for x, y in places]
+    cells = [locate(arrays.index[FIXED], arrays.cells, x, y) for x, y in places]
     assert [cell for cell in cells[2:] if cell != -1] == []
     assert found_shapes(world, FIXED, 5.0, 0.5) == [0]
 
