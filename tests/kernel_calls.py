@@ -112,7 +112,7 @@ def prepare_index(world: World, reach: float) -> None:
     arrays = world._arrays
     arrays.prepare()
     state = arrays.states[0]
-    state["reach"], state["index_stale"] = reach, STALE
+    state["reach"], state["index_stale"], state["moving_stale"] = reach, STALE, STALE
     while not rebuild_index(state, arrays.balls.rows, arrays.shapes.rows, arrays.order, shape_index(arrays)):
         arrays.extend(NEEDS_PAIRS)
 

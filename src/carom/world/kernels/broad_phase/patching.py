@@ -56,8 +56,6 @@ def patch_index(
     make_gaps(entry, cells, members, more)
     for k in range(begin, end):
         put_in(shapes, order[k], entry, cells, members)
-    # The kinematic index begins where the static one ends.
-    state["moving_stale"] = 1
     return True
 
 

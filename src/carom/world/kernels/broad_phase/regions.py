@@ -17,6 +17,7 @@ from carom.constants import (
     FEW_BALLS,
     FEW_SHAPES,
     INDEX_MARGIN,
+    INDEX_SLACK,
     REGION_CELLS,
     REGION_LOAD,
     REGION_SUBSTEPS,
@@ -30,7 +31,7 @@ from carom.geometry.vector import length
 from carom.rows.index import NO_CHILD, CellRow, IndexRow, ShapeIndex
 from carom.rows.pose import is_moving, reach_of
 from carom.rows.shape import ShapeRow
-from carom.rows.state import BRUTE, GRID, StateRow
+from carom.rows.state import BRUTE, CONTINUOUS, GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
@@ -73,13 +74,14 @@ def build_regions(
     entry = index[MOVING]
     entry["phase"] = GRID
     entry["reach"] = state["reach"]
-    entry["cells_begin"] = index[FIXED]["cells_end"]
+    # That of the static shapes may grow a little.
+    entry["cells_begin"] = index[FIXED]["cells_end"] + index[FIXED]["cells_end"] // INDEX_SLACK
     entry["cells_end"] = entry["cells_begin"]
-    entry["members_begin"] = index[FIXED]["members_end"]
+    count = int(state["shapes"] - state["fixed"])
+    entry["members_begin"] = index[FIXED]["members_end"] + (index[FIXED]["members_end"] + count) // INDEX_SLACK
     entry["members_end"] = entry["members_begin"]
     entry["shown"] = int(shown)
-    count = int(state["shapes"] - state["fixed"])
-    few = count == 0 or (count <= FEW_SHAPES and (not shown or state["balls"] <= FEW_BALLS))
+    few = are_few(state, shown)
     if few and shown and state["broad_phase"] == GRID:
         return list_around(state, shapes, order, entry, cells, members)
     list_all(entry)
@@ -94,6 +96,17 @@ def build_regions(
                 return False
             mark_regions(state, shapes, order, entry, cells, members, True)
     return list_wide(state, shapes, order, entry, cells, members)
+
+
+def are_few(state: StateRow, shown: bool) -> bool:
+    """True if there are so few kinematic shapes, and balls, that cells for them would save nothing.
+
+    Balls that are parted (continuous) ask but once.
+    """
+    count = int(state["shapes"] - state["fixed"])
+    if not shown:
+        return count <= FEW_SHAPES
+    return count == 0 or (state["balls"] <= FEW_BALLS and (count <= FEW_SHAPES or state["detection"] == CONTINUOUS))
 
 
 def list_around(

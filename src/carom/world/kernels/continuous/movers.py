@@ -11,7 +11,7 @@ from carom.constants import LEAST_SQUARE, STOP_MARGIN
 from carom.geometry.instants import is_before, later
 from carom.rows.pose import acting_spin, advance_pose, is_moving, pose, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import age_of_mover
 
@@ -128,7 +128,7 @@ def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> 
                 # It is on its way still, so there is some time left, if less than rounding.
                 shape["time_left"] = max(float(shape["time_left_before"]) - age, LEAST_SQUARE)
             pose(shape)
-            state["moving_stale"] = 1
+            state["moving_stale"] = STALE
 
 
 def orientation_at(shape: ShapeRow, age: float) -> float:

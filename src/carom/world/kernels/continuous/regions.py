@@ -8,7 +8,7 @@ from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
 from carom.rows.index import ShapeIndex
 from carom.rows.shape import ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import build_regions, span_on_way
 from carom.world.kernels.broad_phase.shape_index import MOVING
@@ -26,7 +26,7 @@ def rebuild_regions(
     if not rebuild_static(state, balls, shapes, order, shape_index):
         return False
     # Balls that are parted ask where kinematic shapes are, not where they may be.
-    state["moving_stale"] = 1
+    state["moving_stale"] = STALE
     span = span_on_way(state, shapes, order)
     for _ in range(state["renewals"]):
         span *= 2.0

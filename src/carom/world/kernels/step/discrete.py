@@ -38,7 +38,7 @@ from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_ahead, pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.patching import patch_index
-from carom.world.kernels.broad_phase.regions import build_regions, span_on_way
+from carom.world.kernels.broad_phase.regions import are_few, build_regions, span_on_way
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index
 from carom.world.kernels.step.ending import finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_shapes
@@ -140,13 +140,15 @@ def rebuild_index(
     """True when the index of the shapes, which rows show where they are, is right again; False where it has no room."""
     if not rebuild_static(state, balls, shapes, order, shape_index):
         return False
-    if state["moving_stale"] != 0:
+    # What is counted depends on how many there are, not on when they were filed.
+    swept = shape_index[0][MOVING]["swept"] != 0
+    if state["moving_stale"] == STALE or swept == (are_few(state, True) or state["broad_phase"] == BRUTE):
         span = span_on_way(state, shapes, order)
         if span < inf:
             span = min(span, REGION_SUBSTEPS * substep_length(state))
         if not build_regions(state, shapes, order, shape_index, span, True):
             return False
-        state["moving_stale"] = 0
+    state["moving_stale"] = 0
     return True
 
 
@@ -154,7 +156,7 @@ def spend_span(state: StateRow, entry: IndexRow, duration: float) -> None:
     """Let so many seconds be over of those for which the regions of kinematic shapes hold."""
     entry["span"] -= duration
     if entry["span"] < 0.0:
-        state["moving_stale"] = 1
+        state["moving_stale"] = STALE
 
 
 def rebuild_static(
@@ -162,21 +164,23 @@ def rebuild_static(
 ) -> bool:
     """True when the index of the static shapes is right again; False where it has no room."""
     index, cells, members = shape_index
+    fixed, moving = index[FIXED], index[MOVING]
     if state["index_stale"] == 0 and state["taken"] + state["put"] > 0:
         state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else STALE
     state["taken"] = 0
     state["put"] = 0
-    if state["index_stale"] == OTHER_REACH and index[FIXED]["reach"] == state["reach"]:
+    if state["index_stale"] == OTHER_REACH and fixed["reach"] == state["reach"]:
         # Another copy of the world has made it, whose balls are as large.
         state["index_stale"] = 0
-        state["moving_stale"] = 1
     if state["index_stale"] != 0:
         state["index_stale"] = STALE
         if not build_index(state, balls, shapes, order, shape_index):
             return False
         state["index_stale"] = 0
-        # The kinematic index begins where the static one ends.
-        state["moving_stale"] = 1
+    # The kinematic index stands behind the static one, which may have grown.
+    grown = fixed["cells_end"] > moving["cells_begin"] or fixed["members_end"] > moving["members_begin"]
+    if grown or moving["reach"] != state["reach"]:
+        state["moving_stale"] = STALE
     return True
 
 

@@ -9,7 +9,7 @@ from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
 from carom.rows.pose import advance_pose, reach_of, turn_unposed, turns_only
 from carom.rows.shape import ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
 
 
@@ -56,7 +56,7 @@ def move_shapes(
             moved = True
             if shape["time_left"] < 0.0:
                 # It was put where it was sent, wherever its region is.
-                state["moving_stale"] = 1
+                state["moving_stale"] = STALE
             # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
                 bulge = turning_bulge(shape)

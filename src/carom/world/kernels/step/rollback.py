@@ -258,6 +258,7 @@ def roll_back(
         relations[k] = relations[half + k]
     # The index holds shapes where the failed step had moved them.
     state["index_stale"] = STALE
+    state["moving_stale"] = STALE
 
 
 def end_step(

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 
 from carom import Ball, Circle, Point, Segment, World
-from carom.constants import REGION_SUBSTEPS
+from carom.constants import FEW_BALLS, REGION_SUBSTEPS
 from carom.world.kernels.broad_phase.regions import (
     is_any_near,
     is_wide,
@@ -187,3 +187,31 @@ def test_a_shape_that_arrives_is_found_wherever_its_way_was() -> None:
     world._arrays.shapes.rows[0]["target_pivot_y"] = world._arrays.shapes.rows[0]["target_y"] = 50.0
     world.run(0.05, dt=0.01)
     assert found_moving(world._arrays, 0.0, 50.0) == [0]
+
+
+def test_regions_stand_when_static_shapes_are_changed_until_these_need_their_room() -> None:
+    world = World(substeps=1)
+    world.add(*(Segment((3 * k, 0), (3 * k + 1, 0), motion="kinematic", velocity=(0, 0.1)) for k in range(20)))
+    posts = [Point((3 * k + 2, 5 * (k % 2))) for k in range(20)]
+    world.add(*posts, Ball((0, 9), RADIUS))
+    first = spans_of(world, 1)[0]
+    posts[7].position = (23, 2)
+    world.remove(posts[9])
+    assert spans_of(world, 1)[0] < first
+    world.add(Point((8, 3)))
+    assert spans_of(world, 1)[0] < first - 0.015
+    world.add(*(Point((8 + 0.1 * k, 3)) for k in range(90)))
+    assert spans_of(world, 1)[0] == first
+    assert [row for row in range(20) if row in found_moving(world._arrays, 3.0 * row, 0.0)] == list(range(20))
+
+
+def test_cells_are_made_when_there_are_no_more_few_balls() -> None:
+    world = World(substeps=1)
+    world.add(Segment((3, 0), (4, 0), motion="kinematic", angular_velocity=1.0), Ball((0, 9), RADIUS))
+    assert spans_of(world, 1) == [0.0]
+    world.add_balls([(0.3 * k, 20.0) for k in range(FEW_BALLS)], radius=0.1)
+    assert spans_of(world, 1) == [inf]
+    assert world._arrays.index[MOVING]["swept"] == 1
+    world.remove(world.balls[0])
+    assert spans_of(world, 1) == [0.0]
+    assert world._arrays.index[MOVING]["swept"] == 0

@@ -56,7 +56,7 @@ def test_what_a_step_has_done_is_undone_to_the_bit() -> None:
     world.run(1.0)
     arrays = prepared(world)
     state = arrays.states[0]
-    state["index_stale"], state["step_hits"] = 1, state["hits"]
+    state["index_stale"], state["moving_stale"], state["step_hits"] = 1, 1, state["hits"]
     before = contents(arrays)
     assert begun(arrays) == DONE
     random = np.random.default_rng(1)
