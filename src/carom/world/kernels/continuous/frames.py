@@ -47,17 +47,10 @@ from carom.world.kernels.continuous.movers import (
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
-from carom.world.kernels.step.ending import sweep_relations
+from carom.world.kernels.step.ending import find_strays, sweep_relations
 from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.relations import relations_room
-from carom.world.kernels.step.rollback import (
-    find_strays,
-    is_good,
-    is_in_reach,
-    is_measured,
-    is_sound,
-    shapes_are_sound,
-)
+from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound, shapes_are_sound
 from carom.world.kernels.step.spending import keep_spent, unspend
 from carom.world.kernels.step.stages import enter_stage
 

@@ -40,11 +40,13 @@ from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by
 from carom.world.kernels.broad_phase.patching import patch_index
 from carom.world.kernels.broad_phase.regions import are_few, build_regions, span_on_way
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index
-from carom.world.kernels.step.ending import finish_substep, sweep_relations
+from carom.world.kernels.step.beginning import begin_step
+from carom.world.kernels.step.ending import end_step, finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_shapes
 from carom.world.kernels.step.narrow import balls_overlap, keep_side, meet_ball, meet_sensing_ball
-from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, shapes_are_sound
+from carom.world.kernels.step.rollback import roll_back
 from carom.world.kernels.step.rounds import meet_all_shapes
+from carom.world.kernels.step.soundness import shapes_are_sound
 from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_end, substep_length
 

@@ -12,7 +12,7 @@ from carom.constants import FEW_TO_SORT
 from carom.rows.index import SLOT
 from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
 from carom.rows.state import DONE
-from carom.world.kernels.step.rollback import begin_step
+from carom.world.kernels.step.beginning import begin_step
 from carom.world.kernels.step.rounds import list_due
 from tests.kernel_calls import ball_rows, prepared, state_row
 from tests.worlds import bits, world_of
