@@ -2,10 +2,13 @@
 
 from collections.abc import Iterable
 from math import inf
+from random import Random
 
 import numpy as np
 
-from carom import World
+import carom
+from carom import Circle, Point, Segment, World
+from carom.geometry.instants import later
 from carom.rows.ball import ALL_LAYERS, BALL
 from carom.rows.flight import NO_BALL, NO_PLACE, NOTHING
 from carom.rows.hit import HIT_ROW
@@ -13,7 +16,7 @@ from carom.rows.index import CELL, SLOT, ShapeIndex
 from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import SHAPE
-from carom.rows.state import BRUTE, DONE, GRID, NEEDS_PAIRS, NOTE, QUADTREE, STATE
+from carom.rows.state import BRUTE, DONE, GRID, NEEDS_PAIRS, NOTE, QUADTREE, STALE, STATE
 from carom.rows.tables import Rows
 from carom.world.kernels.broad_phase.grid import (
     clear_grid,
@@ -29,15 +32,21 @@ from carom.world.kernels.broad_phase.pairs import (
     pairs_by_quadtree,
     plant_ball_tree,
 )
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index, cell_span, locate
+from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
+from carom.world.kernels.broad_phase.shape_index import cell_span, locate
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
-from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.predict import predict_all, predict_own
 from carom.world.kernels.continuous.regions import rebuild_regions
+from carom.world.kernels.step.beginning import begin_step
+from carom.world.kernels.step.discrete import rebuild_index
 from carom.world.tables import Arrays
+from tests.worlds import continuous_world
 
 Ball = tuple[float, float, float]
 Pair = tuple[int, int]
+
+#: Of the ball of a `fleet`.
+RADIUS = 0.3
 
 PHASES = {"brute": BRUTE, "grid": GRID, "quadtree": QUADTREE}
 
@@ -108,25 +117,15 @@ def prepare_index(world: World, reach: float) -> None:
     arrays = world._arrays
     arrays.prepare()
     state = arrays.states[0]
-    for which in (FIXED, MOVING):
-        while not build_index(
-            state,
-            arrays.balls.rows,
-            arrays.shapes.rows,
-            arrays.order,
-            arrays.index,
-            which,
-            reach,
-            arrays.cells,
-            arrays.members,
-        ):
-            arrays.extend(NEEDS_PAIRS)
+    state["reach"], state["index_stale"], state["moving_stale"] = reach, STALE, STALE
+    while not rebuild_index(state, arrays.balls.rows, arrays.shapes.rows, arrays.order, shape_index(arrays)):
+        arrays.extend(NEEDS_PAIRS)
 
 
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     """The rows of the shapes that the index gives for a place, in its order."""
     arrays = world._arrays
-    begin, end = cell_span(arrays.cells, locate(arrays.states[0], arrays.index[which], arrays.cells, x, y))
+    begin, end = cell_span(arrays.cells, locate(arrays.index[which], arrays.cells, x, y))
     rows: list[int] = arrays.members[begin:end].tolist()
     return rows
 
@@ -207,3 +206,55 @@ def foresee_all(arrays: Arrays) -> Rows:
     tables = *film_tables(arrays), heads, arrays.relations, arrays.flights, arrays.queue
     assert predict_all(arrays.states[0], arrays.balls.rows, *tables)
     return heads
+
+
+def fleet(seed: int, count: int = 40, speed: float = 1.0) -> Arrays:
+    """Shapes that rest, turn and travel, and a ball; a little after their motion began."""
+    random = Random(seed)
+    shapes = []
+    for k in range(count):
+        x, y = random.uniform(-20, 20), random.uniform(-20, 20)
+        drift = random.uniform(-speed, speed), random.uniform(-speed, speed)
+        options = ({}, {"angular_velocity": 2.0}, {"velocity": drift}, {"angular_velocity": -3.0, "velocity": drift})
+        kind = random.randrange(3)
+        if kind == 0:
+            shapes.append(Point((x, y), motion="kinematic", pivot=(x + 1, y), **options[k % 4]))
+        elif kind == 1:
+            shapes.append(Segment((x, y), (x + 1, y + 1), motion="kinematic", pivot=(x, y), **options[k % 4]))
+        else:
+            shapes.append(Circle((x, y), 0.7, motion="kinematic", pivot=(x + 2, y), **options[k % 4]))
+    arrays = roomy(continuous_world(*shapes, carom.Ball((0, 0), RADIUS)))
+    look_at(arrays, 0.37)
+    prepare_regions(arrays)
+    return arrays
+
+
+def roomy(world: World) -> Arrays:
+    """The tables of a world in flight."""
+    world._arrays.cells, world._arrays.members = np.zeros(4096, CELL), np.zeros(8192, "i4")
+    return in_flight(world)
+
+
+def found_moving(arrays: Arrays, x: float, y: float) -> list[int]:
+    """The kinematic shapes that a ball at a place may overlap, in their order."""
+    near, wide = kinematic_near(arrays.index, arrays.cells, x, y)
+    rows = []
+    while is_any_near(near, wide):
+        row, near, wide = next_near(arrays.shapes.rows, arrays.members, near, wide)
+        rows.append(row)
+    return rows
+
+
+def begun(arrays: Arrays) -> int:
+    """The outcome of beginning a step."""
+    shapes = arrays.shapes.rows, arrays.order
+    return begin_step(arrays.states, arrays.balls.rows, *shapes, arrays.slots, arrays.saved, arrays.relations)
+
+
+def contents(arrays: Arrays) -> list[bytes]:
+    """The tables that a step may change, bit by bit."""
+    used = int(arrays.states[0]["relations_high"])
+    return [
+        *(table.tobytes() for table in (arrays.states[0], arrays.balls.used, arrays.shapes.used)),
+        arrays.relations[:used].tobytes(),
+    ]

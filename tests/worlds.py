@@ -167,7 +167,7 @@ def starve(world: carom.World) -> None:
     arrays.starts = arrays.starts[:1].copy()
     arrays.cells = arrays.cells[:1].copy()
     arrays.members = arrays.members[:1].copy()
-    arrays.states[0]["index_stale"] = 1
+    arrays.states[0]["index_stale"] = arrays.states[0]["moving_stale"] = 1
     arrays.relations = arrays.relations[:2].copy()
     _put_back(world, kept)
     assert arrays.states[0]["relations"] == relations

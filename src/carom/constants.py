@@ -88,13 +88,15 @@ LEAF_MEMBERS = 4
 TREE_COPIES_OF_BALLS = 2
 TREE_COPIES_OF_SHAPES = 3
 
-#: Cells per shape, and cells at most, of the grid that finds the shapes near a ball: more cells, shorter lists and more
-#: memory (48 bytes a cell). Changes the speed alone.
-INDEX_CELLS_PER_SHAPE = 16
+#: Cells per shape, in the discrete mode and for flights, and cells at most, of the grid that finds the shapes near a
+#: ball: more cells, shorter lists and more memory (48 bytes a cell); flights go through cells, and read more of them.
+#: Changes the speed alone, and how many tests are counted.
+INDEX_CELLS_PER_SHAPE = 64
+FLIGHT_CELLS_PER_SHAPE = 16
 INDEX_CELLS_MOST = 65536
 
-#: Balls up to this many look at each kinematic shape's box: to file a shape in cells whenever it moves takes as long as
-#: some hundred looks. Changes the speed alone, and the number of box tests.
+#: Balls up to this many look at the box of each of `FEW_SHAPES` kinematic shapes in discrete mode, near which they are.
+#: Changes the speed alone, and the number of box tests.
 FEW_BALLS = 64
 
 #: Balls up to this many are asked whether they are near before a shape that turns is put to where it is. Changes the
@@ -264,13 +266,24 @@ FLIGHT_SLICES = 64
 CROWD_SLICES = 8
 
 #: Static shapes, and kinematic ones, up to this many are all tested against a ball's way in continuous mode, without an
-#: index.
+#: index; kinematic ones in discrete mode by few balls.
 FEW_SHAPES = 16
 
-#: For how long the index of kinematic shapes that travel holds in continuous mode: the time in which they go so many of
-#: their own widths and balls', on the whole. More, and it is made anew less often, and shapes are looked at from
-#: farther off.
+#: For how long the index of kinematic shapes that travel holds: the time in which they go so many of their own widths
+#: and balls', on the whole. More, and it is made anew less often, and shapes are looked at from farther off.
 REGION_WAY = 4.0
+
+#: The index of static shapes may grow by one in so many of its members and of the kinematic shapes before the index of
+#: these, which stands behind it, has to give way and is made anew.
+INDEX_SLACK = 4
+
+#: Box tests that take as long as filing a shape in cells: where regions would cost balls more of them, shapes that have
+#: moved are filed anew in discrete mode. Changes the speed alone.
+REGION_LOAD = 500.0
+
+#: Substeps for which it holds at most in discrete mode, in each of which rounding takes a shape from its way. More, and
+#: shapes are looked at from farther off, far from the origin.
+REGION_SUBSTEPS = 1024
 
 #: Times the mean width of the regions of all that moves, and widths of a cell: a shape whose region is wider is asked
 #: everywhere.

@@ -79,8 +79,8 @@ def made_anew(arrays: Arrays) -> tuple[Any, list[tuple[int, list[int]]]]:
     twin.states = np.array(arrays.states)
     twin.fill(arrays.balls.used, arrays.shapes.used)
     twin.prepare()
-    tables = twin.states[0], twin.balls.rows, twin.shapes.rows, twin.order, twin.index, FIXED
-    while not build_index(*tables, float(twin.states[0]["reach"]), twin.cells, twin.members):
+    tables = twin.states[0], twin.balls.rows, twin.shapes.rows, twin.order
+    while not build_index(*tables, (twin.index, twin.cells, twin.members)):
         twin.extend(NEEDS_PAIRS)
     return cells_of(twin)
 

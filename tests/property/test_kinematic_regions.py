@@ -9,9 +9,10 @@ import pytest
 from hypothesis import example, given, settings
 
 import carom
+from carom.world.kernels.broad_phase.shape_index import MOVING
 from carom.world.views import Balls
 from tests.clock import within
-from tests.worlds import bits, box, continuous_world
+from tests.worlds import bits, box, continuous_world, world_of
 
 SIDE = 9.0
 SHAPES = 28
@@ -46,11 +47,14 @@ def shape(random: Random) -> carom.Shape:
     return made
 
 
-def room(random: Random, phase: str) -> carom.World:
-    """Walls, shapes that move, some of them far away, and balls, few or many."""
-    world = continuous_world(
-        *box(SIDE, SIDE), gravity=(0, random.choice((0, -3))), friction=random.choice((0, 0, 0.3)), broad_phase=phase
+def room(random: Random, phase: str, **settings: Any) -> carom.World:
+    """Walls, shapes that move, some of them far away, and balls, few or many, that meet each other in flight alone."""
+    settings = {"detection": "continuous", "broad_phase": phase, **settings}
+    world = world_of(
+        *box(SIDE, SIDE), gravity=(0, random.choice((0, -3))), friction=random.choice((0, 0, 0.3)), **settings
     )
+    # In the discrete mode the broad phase decides which of two pairs is parted first.
+    layers = {"layer": 2, "collides_with": 1} if settings["detection"] == "discrete" else {}
     world.add(*(shape(random) for _ in range(SHAPES)))
     # Apart from each other: where balls overlap, the broad phase decides which pair is parted first.
     for k in range(random.choice((3, 9))):
@@ -58,7 +62,7 @@ def room(random: Random, phase: str) -> carom.World:
         velocity = random.uniform(-4, 4), random.uniform(-4, 4)
         elasticity, sensor = random.choice((1, 0.8)), random.random() < 0.1
         world.add(
-            carom.Ball(place, random.choice((0.1, 0.2, 0.3)), velocity=velocity, elasticity=elasticity, sensor=sensor)
+            carom.Ball(place, random.choice((0.1, 0.2, 0.3)), velocity, elasticity=elasticity, sensor=sensor, **layers)
         )
     return world
 
@@ -125,18 +129,51 @@ def test_what_is_found_by_regions_is_what_asking_all_finds_for_long(seed: int) -
     assert film(seed, "grid", 24) == film(seed, "brute", 24)
 
 
+def substeps(seed: int, phase: str, resumed: bool) -> tuple[list[Any], str]:
+    """All that is told of a world in the discrete mode, and its digest; where `resumed`, of a copy after each step."""
+    world = room(Random(seed), phase, detection="discrete", substeps=Random(seed).choice((1, 3)))
+    random = Random(seed + 1)
+    told: list[Any] = []
+    for _ in range(30):
+        told.append(bits(world.step(random.choice((0.01, 0.03)))))
+        kinematic = [shape for shape in world.shapes if shape.motion == carom.Motion.KINEMATIC]
+        if random.random() < 0.3:
+            change(random, random.choice(kinematic), world.balls)
+        if resumed:
+            snapshot, world = world.snapshot(), carom.World()
+            world.restore(snapshot)
+    kinematic = [shape for shape in world.shapes if shape.motion == carom.Motion.KINEMATIC]
+    told += [bits(world.balls.position), bits(world.balls.velocity)]
+    told.append([(shape.orientation, shape.position, shape.velocity) for shape in kinematic])
+    return told, world.digest()
+
+
 @pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@settings(max_examples=25)
+@given(seed=st.integers(0, 2**32))
+def test_in_substeps_regions_find_what_asking_all_finds_and_nothing_shows_when_they_were_made(seed: int) -> None:
+    told, digest = substeps(seed, "grid", False)
+    assert substeps(seed, "grid", True) == (told, digest)
+    for phase in ("brute", "quadtree"):
+        assert substeps(seed, phase, False)[0] == told
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
 @pytest.mark.parametrize("options", [{}, {"angular_velocity": 2.0}, {"velocity": (0.02, 0.01)}])
-def test_a_step_costs_no_more_for_shapes_that_are_far_away(options: dict[str, Any]) -> None:
+def test_a_step_costs_no_more_for_shapes_that_are_far_away(options: dict[str, Any], detection: str) -> None:
     costs = []
     for count in (20, 400):
-        world = continuous_world(*box(10, 10))
+        world = world_of(*box(10, 10), detection=detection)
         places = [(100.0 + 3.0 * (k % 20), 100.0 + 3.0 * (k // 20)) for k in range(count)]
         world.add(*(carom.Segment((x, y), (x + 1, y), motion="kinematic", **options) for x, y in places))
         for k in range(9):
             world.add(carom.Ball((1.0 + k, 5.0), 0.3, velocity=(k - 4.1, 3.0)))
         world.run(1.0)
         costs.append((world.statistics.box_tests, world.statistics.full_tests, len(world.run(1.0))))
+        # They are not filed anew.
+        assert world._arrays.index[MOVING]["span"] > 1.0
     assert costs[0] == costs[1]
     assert costs[0][2] > 5
 

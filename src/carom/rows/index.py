@@ -30,8 +30,11 @@ class IndexRow(TypedDict):
     cells_end: i8
     members_begin: i8
     members_end: i8
-    # of the regions of kinematic shapes (continuous)
-    span: f8  # seconds for which they hold from when they were found
+    phase: i8  # what its cells are: BRUTE, GRID or QUADTREE
+    # of the regions of kinematic shapes
+    shown: i8  # whether rows showed where shapes were when they were found, and not where their motion began
+    swept: i8  # whether a list may hold what is not near now, so that box tests count where boxes meet alone
+    span: f8  # seconds for which they hold: from when they were found (continuous) or now on (discrete); 0: as places
     widest: f8  # a shape that moves in a wider one is in the list of those which are asked everywhere; below 0: all are
     wide_begin: i8  # where that list is
     wide_end: i8

@@ -96,10 +96,10 @@ class Layout:
     def lay(self, rows: Rows, state: StateRow) -> int:
         """How many rows there must be behind those in use, after putting `rows`, all in use, into order."""
         if state["taken"] + state["put"] > 0:
-            state["index_stale"] = STALE  # the step that was told of them has not come to it
+            state["index_stale"] = state["moving_stale"] = STALE  # the step that was told has not come to it
         if not self.is_known:
             self._lay_anew(rows)
-            state["index_stale"] = STALE
+            state["index_stale"] = state["moving_stale"] = STALE
         elif self._fallen or len(rows) > self._count:
             self._change(rows)
         kinematic = len(self.moving)

@@ -18,7 +18,7 @@ from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import BALL_KIND, KINEMATIC, STATIC, ShapeRow
-from carom.rows.state import STATE, StateRow
+from carom.rows.state import STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -342,14 +342,14 @@ class Members:
     def _set_going(self) -> None:
         """Take note that shapes were set to move otherwise, which are where they were."""
         self._halves[WAKE] = 1
-        self._words[MOVING_STALE] = 1
+        self._words[MOVING_STALE] = STALE
 
     def _moved(self, shape: Shape, before: ShapeRow) -> None:
         """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
         self._halves[WAKE] = 1
         row, layout = shape._row, self._arrays.layout
         if row["motion"] == before["motion"] == KINEMATIC:
-            self._words[MOVING_STALE] = 1
+            self._words[MOVING_STALE] = STALE
             return
         if row["motion"] == before["motion"] == STATIC:
             layout.note_moved(shape._table.index(shape), before)

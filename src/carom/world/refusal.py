@@ -6,7 +6,7 @@ from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.rows.ball import OF_WORLD
 from carom.rows.state import NOT_FINITE, REFUSED, TOO_MANY_IMPACTS
 from carom.rows.tables import Rows
-from carom.world.kernels.step.rollback import is_measured, is_sound
+from carom.world.kernels.step.soundness import is_measured, is_sound
 from carom.world.tables import Arrays
 
 

@@ -28,7 +28,7 @@ class Statistics:
 
     @property
     def box_tests(self) -> int:
-        """Pairs whose boxes were compared."""
+        """Pairs whose boxes were compared; of many kinematic shapes in the discrete mode, those whose boxes met."""
         return self._count("box_tests")
 
     @property

@@ -18,7 +18,7 @@ from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import INSIDE_BALL, LYING, RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, SHAPE, STATIC, ShapeRow
-from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
+from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, UNLISTED, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
 from carom.world.layout import MOST_CHANGES, Layout
@@ -173,7 +173,8 @@ class Arrays:
     def prepare(self) -> None:
         """Make room for what the next step needs at least, and put the shapes into the order in which they are met."""
         state = self.states[0]
-        state["balls"] = self.balls.count
+        if state["balls"] != self.balls.count:
+            state["balls"], state["moving_stale"] = self.balls.count, STALE
         if not state["bounded"]:
             self.balls.used["stray"] = 0
         if not self.layout.is_known or self.layout.is_full(self.shape_table.count):
@@ -182,7 +183,8 @@ class Arrays:
         behind = self.layout.lay(self.shape_table.used, state)
         self.shape_table.reserve(self.shape_table.count + behind)
         self.layout.tell(self.shape_table.rows)
-        state["moving_stale"] = 1
+        if state["moving_stale"] == 0:
+            state["moving_stale"] = UNLISTED
         self._list_movers()
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
@@ -200,9 +202,10 @@ class Arrays:
         """List the kinematic shapes that move behind all shapes, as steps of the continuous mode keep them listed."""
         state, rows = self.states[0], self.shape_table.used
         kinematic = self.order[int(state["fixed"]) : len(rows)]
-        own = rows[kinematic]
-        travels = (own["velocity_x"] != 0.0) | (own["velocity_y"] != 0.0)
-        movers = kinematic[(own["spin"] != 0.0) | travels | (own["time_left_before"] > 0.0)]
+        # Field by field: whole rows are long.
+        travels = (rows["velocity_x"][kinematic] != 0.0) | (rows["velocity_y"][kinematic] != 0.0)
+        goes = (rows["spin"][kinematic] != 0.0) | (rows["time_left_before"][kinematic] > 0.0)
+        movers = kinematic[travels | goes]
         state["movers"] = len(movers)
         self.order[len(rows) : len(rows) + len(movers)] = movers
 
@@ -249,7 +252,8 @@ class Arrays:
             end = int(self.index[1]["members_end"])
             self.members[:end] = np.take(new, self.members[:end], mode="clip")
         else:
-            state["index_stale"], state["taken"], state["put"] = STALE, 0, 0
+            state["index_stale"] = state["moving_stale"] = STALE
+            state["taken"] = state["put"] = 0
         state["shapes"], state["dropped"] = self.shape_table.count, 0
         state["fixed"] = self.shape_table.count - len(self.layout.moving)
         state["foreseen"] = 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from carom.rows.state import DISCRETE
 from carom.world.kernels.continuous.frames import is_any_changed
-from carom.world.kernels.step.rollback import was_changed
+from carom.world.kernels.step.beginning import was_changed
 from carom.world.tables import Arrays
 
 

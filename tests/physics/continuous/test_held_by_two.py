@@ -63,9 +63,9 @@ def test_a_push_is_short_and_stops_at_a_wall(aim: tuple[float, float], expected:
     world = stalling_world(Segment((-5, 0), (5, 0)), gravity=(0, 0))
     world.add(Ball((0, 0.6), 0.5))
     world.step(0.01)
-    states, balls, shapes, _order, index, cells, members = world._block.arguments[:7]
+    _states, balls, shapes, _order, index, cells, members = world._block.arguments[:7]
     balls[0]["x"], balls[0]["y"] = aim
-    keep_push_out(states[0], balls[0], shapes, index, cells, members, world._arrays.relations, 0.0, 0.6)
+    keep_push_out(balls[0], shapes, index, cells, members, world._arrays.relations, 0.0, 0.6)
     assert (balls[0]["x"], balls[0]["y"]) == pytest.approx(expected)
 
 

@@ -66,16 +66,9 @@ def partition(scene: Scene, radius: float) -> Partition:
     arrays = scene.model_copy(update={"balls": ()}).build()._arrays
     arrays.prepare()
     state = arrays.states[0]
+    state["reach"] = radius
     while not build_index(
-        state,
-        arrays.balls.rows,
-        arrays.shapes.rows,
-        arrays.order,
-        arrays.index,
-        FIXED,
-        radius,
-        arrays.cells,
-        arrays.members,
+        state, arrays.balls.rows, arrays.shapes.rows, arrays.order, (arrays.index, arrays.cells, arrays.members)
     ):
         arrays.extend(NEEDS_PAIRS)
     entry = arrays.index[FIXED]

@@ -57,8 +57,6 @@ def patch_index(
     make_gaps(entry, cells, members, more)
     for k in range(begin, end):
         put_in(shapes, order[k], entry, cells, members)
-    # The kinematic index begins where the static one ends.
-    state["moving_stale"] = 1
     return True
 
 
@@ -74,7 +72,7 @@ def is_laid_alike(
     if state["broad_phase"] != GRID or entry["cells_end"] == entry["cells_begin"] or entry["side"] == inf:
         return False
     count = int(state["fixed"] - state["dropped"])
-    if count == 0 or cell_side(right - left, top - bottom, count, reach) != entry["side"]:
+    if count == 0 or cell_side(state, right - left, top - bottom, count, reach) != entry["side"]:
         return False
     inside = True
     for k in range(begin, end):

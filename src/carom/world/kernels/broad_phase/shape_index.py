@@ -1,7 +1,8 @@
 """Which shapes a ball may meet: an index from the place of its centre to a short list of shapes.
 
-The index of the static shapes is made when they change, that of the kinematic ones whenever they have moved. Lists hold
-shapes in the order in which a ball meets them: points, segments and gates, circles, arcs.
+The index of the static shapes is made when they change, that of the kinematic ones (`regions`) when they may be
+elsewhere than it says. Lists hold shapes in the order in which a ball meets them: points, segments and gates, circles,
+arcs.
 """
 
 from __future__ import annotations
@@ -10,8 +11,8 @@ from math import fabs, floor, inf, sqrt
 
 from carom.constants import (
     CELL_PARTS,
-    FEW_BALLS,
     FEW_FIXED,
+    FLIGHT_CELLS_PER_SHAPE,
     INDEX_CELLS_MOST,
     INDEX_CELLS_PER_SHAPE,
     INDEX_MARGIN,
@@ -20,29 +21,29 @@ from carom.constants import (
 )
 from carom.geometry.vector import larger, smaller
 from carom.rows.ball import BallRow
-from carom.rows.index import NO_CHILD, CellRow, IndexRow
+from carom.rows.index import NO_CHILD, CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds_near import distance_to_shape
 from carom.rows.shape import ShapeRow
-from carom.rows.state import BRUTE, GRID, QUADTREE, StateRow
+from carom.rows.state import BRUTE, DISCRETE, GRID, QUADTREE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, plant_root
 
 FIXED = 0
 MOVING = 1
 
-#: Whether the shapes at rest, in a grid, are all there are; that grid: left, bottom, 1/side, columns, lines; and the
-#: rectangle that is free of them: left, bottom, right, top.
+#: Whether static shapes are in a grid, and kinematic ones, if there are any, in another; that of the static ones: left,
+#: bottom, 1/side, columns, lines; and a rectangle that is free of all: left, bottom, right, top.
 Front = tuple[bool, float, float, float, float, float, float, float, float, float]
 
 
-def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
+def locate(entry: IndexRow, cells: Table[CellRow], x: float, y: float) -> int:
     """The cell whose members are all the shapes that a ball at (x, y) may overlap, or -1 where there are none."""
     first = int(entry["cells_begin"])
     if entry["cells_end"] == first:
         return -1
-    if state["broad_phase"] == BRUTE:
+    if entry["phase"] == BRUTE:
         return first
-    if state["broad_phase"] == GRID:
+    if entry["phase"] == GRID:
         columns, lines = int(entry["columns"]), int(entry["lines"])
         across = (x - float(entry["left"])) / float(entry["side"])
         along = (y - float(entry["bottom"])) / float(entry["side"])
@@ -53,11 +54,16 @@ def locate(state: StateRow, entry: IndexRow, cells: Table[CellRow], x: float, y:
 
 
 def front_of(state: StateRow, index: Table[IndexRow]) -> Front:
-    """What `is_free` and `cell_near` have to know of the index; of one that is not a grid of static shapes, nothing."""
+    """What `is_free` and `cell_near` have to know of the index; of one that is not made of grids, nothing."""
     entry = index[FIXED]
-    if state["broad_phase"] != GRID or index[MOVING]["cells_end"] > index[MOVING]["cells_begin"]:
-        return False, 0.0, 0.0, 0.0, 0.0, 0.0, inf, inf, -inf, -inf
-    free = float(entry["free_left"]), float(entry["free_bottom"]), float(entry["free_right"]), float(entry["free_top"])
+    free = inf, inf, -inf, -inf
+    moving = state["fixed"] < state["shapes"]
+    if state["broad_phase"] != GRID or (moving and index[MOVING]["swept"] == 0):
+        return False, 0.0, 0.0, 0.0, 0.0, 0.0, *free
+    if not moving:
+        free = (
+            float(entry["free_left"]), float(entry["free_bottom"]), float(entry["free_right"]), float(entry["free_top"])
+        )  # fmt: skip
     if entry["cells_end"] == entry["cells_begin"]:
         return True, 0.0, 0.0, 0.0, 0.0, 0.0, *free
     left, bottom, inverse_side = float(entry["left"]), float(entry["bottom"]), 1.0 / float(entry["side"])
@@ -71,7 +77,7 @@ def is_free(front: Front, x: float, y: float) -> bool:
 
 
 def cell_near(cells: Table[CellRow], front: Front, x: float, y: float) -> int:
-    """The cell that a ball at (x, y) is in, if a member's box is in reach of the part of it that it is in; -1 if not.
+    """The cell of static shapes that a ball at (x, y) is in, if one's box is in reach of its part of it; -1 if not.
 
     The front must be one of a grid.
     """
@@ -115,37 +121,30 @@ def build_index(
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
     order: Table[int],
-    index: Table[IndexRow],
-    which: int,
-    reach: float,
-    cells: Table[CellRow],
-    members: Table[int],
+    shape_index: ShapeIndex,
 ) -> bool:
-    """True if the index of the static (or kinematic) shapes was made for balls of radius up to `reach`.
+    """True if the index of the static shapes was made for balls as large as there are.
 
-    False where room ran out; `state["wanted_*"]` says how much. The kinematic index stands behind the static one.
+    False where room ran out; `state["wanted_*"]` says how much. That of the kinematic shapes stands behind it.
     """
-    entry = index[which]
-    begin = int(state["dropped"] if which == FIXED else state["fixed"])
-    end = int(state["fixed"]) if which == FIXED else int(state["shapes"])
+    index, cells, members = shape_index
+    entry = index[FIXED]
+    begin, end = int(state["dropped"]), int(state["fixed"])
+    reach = float(state["reach"])
+    entry["phase"] = state["broad_phase"]
     entry["reach"] = reach
-    entry["cells_begin"] = 0 if which == FIXED else index[FIXED]["cells_end"]
-    entry["members_begin"] = 0 if which == FIXED else index[FIXED]["members_end"]
-    entry["cells_end"] = entry["cells_begin"]
-    entry["members_end"] = entry["members_begin"]
+    entry["cells_begin"] = 0
+    entry["members_begin"] = 0
+    entry["cells_end"] = 0
+    entry["members_end"] = 0
     entry["longest"] = 0
     entry["measured"] = 0
-    if which == FIXED:
-        find_free(shapes, order, entry, begin, end)
+    find_free(shapes, order, entry, begin, end)
     if begin == end:
         return True
     left, bottom, right, top = index_box(shapes, order, begin, end, reach)
     # From here on the fields say where cells and members are, for `locate`.
-    side = cell_side(right - left, top - bottom, end - begin, reach)
-    # For few balls, to make more than one cell whenever shapes move costs more than it saves.
-    whole = which == MOVING and state["balls"] <= FEW_BALLS
-    if whole:
-        side = max(side, INDEX_MARGIN * max(right - left, top - bottom))
+    side = cell_side(state, right - left, top - bottom, end - begin, reach)
     vast = side == inf
     entry["left"] = 0.0 if vast else left
     entry["bottom"] = 0.0 if vast else bottom
@@ -154,11 +153,11 @@ def build_index(
     entry["side"] = side
     entry["columns"] = 1
     entry["lines"] = 1
-    if state["broad_phase"] == GRID and not vast and not whole:
-        built = build_grid(state, shapes, order, entry, begin, end, right - left, top - bottom, cells, members)
+    width, height = right - left, top - bottom
+    if state["broad_phase"] == GRID and not vast:
+        built = build_grid(state, shapes, order, entry, begin, end, width, height, cells, members)
     else:
-        width, height = right - left, top - bottom
-        tree = state["broad_phase"] == QUADTREE and not vast and not whole
+        tree = state["broad_phase"] == QUADTREE and not vast
         built = build_nodes(state, balls, shapes, order, entry, begin, end, width, height, tree, cells, members)
     entry["longest"] = longest_list(entry, cells)
     return built
@@ -226,7 +225,7 @@ def build_nodes(
 ) -> bool:
     """True if the shapes `order[begin:end]` were put into a quadtree, or into one cell.
 
-    That is for brute force, for few shapes that move, and for a world that spans all numbers, which cannot be divided.
+    That is for brute force, and for a world that spans all numbers, which cannot be divided.
     """
     left, bottom, reach = float(entry["left"]), float(entry["bottom"]), float(entry["reach"])
     root = int(entry["cells_begin"])
@@ -262,10 +261,11 @@ def index_box(
     return left - reach, bottom - reach, right + reach, top + reach
 
 
-def cell_side(width: float, height: float, count: int, reach: float) -> float:
+def cell_side(state: StateRow, width: float, height: float, count: int, reach: float) -> float:
     """The width of a grid's cells: about so many cells as suits the number of shapes, none smaller than a ball."""
     # The root of the product, not the product: width times height may be more than a number can hold.
-    most = min(INDEX_CELLS_PER_SHAPE * count, INDEX_CELLS_MOST)
+    each = INDEX_CELLS_PER_SHAPE if state["detection"] == DISCRETE else FLIGHT_CELLS_PER_SHAPE
+    most = min(each * count, INDEX_CELLS_MOST)
     side = max(sqrt(width / most) * sqrt(height), max(width, height) / most, 2.0 * reach)
     return side if side > 0.0 else 1.0
 

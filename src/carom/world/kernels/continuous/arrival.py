@@ -13,10 +13,10 @@ from carom.rows.relation import LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slide_on
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
@@ -120,10 +120,10 @@ def note_all_passing(
     """
     index, cells, members = shape_index
     x, y = float(ball["x"]), float(ball["y"])
-    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
+    begin, end = cell_span(cells, locate(index[FIXED], cells, x, y))
     for k in range(begin, end):
         note_passing(state, ball, flight, i, shapes, row_of(members[k]), relations, ahead, age, from_x, from_y)
-    near, wide = kinematic_near(state, index, cells, x, y)
+    near, wide = kinematic_near(index, cells, x, y)
     while is_any_near(near, wide):
         row, near, wide = next_near(shapes, members, near, wide)
         note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)

@@ -29,13 +29,13 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
 from carom.world.kernels.continuous.arrival import work_of_shift
 from carom.world.kernels.continuous.flight import count_impact, is_tired, let_fly
 from carom.world.kernels.continuous.island import is_solved, join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.hits import cross_ball, record_hit
@@ -83,9 +83,7 @@ def impact_with_shape(
     pushes = is_moving(shape) or (shape["motion"] == KINEMATIC and gap < -LIFT * radius)
     # In what is smaller than itself a ball would be put from one side onto the other, without end.
     stuck = flight["at_once"] >= MOST_AT_ONCE or lacks_room(shape, fx, fy, radius)
-    if stuck or (
-        pushes and is_squeezed(state, ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny)
-    ):
+    if stuck or (pushes and is_squeezed(ball, flight, shapes, index, cells, members, row, max(-gap, 0.0), nx, ny)):
         flight["at_once"] = 0
         state["squeezed"] += 1
         add_relation(state, relations, ball, i, PASSING, row)
@@ -99,7 +97,7 @@ def impact_with_shape(
             flight["surplus"] += work_of_shift(state, ball, x, y) / float(ball["mass"])
     bounce(state, ball, flight, i, shapes, row, hits, relations, gap, nx, ny)
     if not lies(relations, ball) and is_tired(flight, float(ball["elasticity"]) * float(shape["elasticity"]), False):
-        stop_between(state, ball, flight, shapes, index, cells, members, row, nx, ny)
+        stop_between(ball, flight, shapes, index, cells, members, row, nx, ny)
 
 
 def bounce(
@@ -208,7 +206,6 @@ def part_least(ball: BallRow, speed: float, nx: float, ny: float) -> None:
 
 
 def stop_between(
-    state: StateRow,
     ball: BallRow,
     flight: FlightRow,
     shapes: Table[ShapeRow],
@@ -224,11 +221,11 @@ def stop_between(
     Between the two it would come to rest only after impacts without end, each of which leaves it a part of its speed.
     """
     x, y = float(ball["x"]), float(ball["y"])
-    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x, y))
+    begin, end = cell_span(cells, locate(index[FIXED], cells, x, y))
     for k in range(begin, end):
         if row_of(members[k]) != row and is_stopped_by(ball, flight, shapes[row], shapes[members[k]], nx, ny):
             return
-    near, wide = kinematic_near(state, index, cells, x, y)
+    near, wide = kinematic_near(index, cells, x, y)
     while is_any_near(near, wide):
         other, near, wide = next_near(shapes, members, near, wide)
         if other != row and is_stopped_by(ball, flight, shapes[row], shapes[other], nx, ny):
@@ -280,7 +277,6 @@ def long_normal(ball: BallRow, shape: ShapeRow, age: float, nx: float, ny: float
 
 
 def is_squeezed(
-    state: StateRow,
     ball: BallRow,
     flight: FlightRow,
     shapes: Table[ShapeRow],
@@ -300,11 +296,11 @@ def is_squeezed(
     # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
     room = SQUEEZE_GAP * radius + push
     ahead = SQUEEZE_GAP * radius + room
-    begin, end = cell_span(cells, locate(state, index[FIXED], cells, x + ahead * nx, y + ahead * ny))
+    begin, end = cell_span(cells, locate(index[FIXED], cells, x + ahead * nx, y + ahead * ny))
     for k in range(begin, end):
         if is_in_way(ball, flight, shapes[members[k]], room, nx, ny):
             return True
-    near, wide = kinematic_near(state, index, cells, x + ahead * nx, y + ahead * ny)
+    near, wide = kinematic_near(index, cells, x + ahead * nx, y + ahead * ny)
     while is_any_near(near, wide):
         other, near, wide = next_near(shapes, members, near, wide)
         before = other < row or not is_moving(shapes[other])
@@ -432,7 +428,6 @@ def strongest_force(relations: Table[RelationRow], ball: BallRow) -> float:
 
 
 def keep_push_out(
-    state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
     index: Table[IndexRow],
@@ -451,7 +446,7 @@ def keep_push_out(
     if way > PUSH_MOST * radius:
         dx, dy = dx * (PUSH_MOST * radius / way), dy * (PUSH_MOST * radius / way)
     for _ in range(2):
-        begin, end = cell_span(cells, locate(state, index[FIXED], cells, from_x + dx, from_y + dy))
+        begin, end = cell_span(cells, locate(index[FIXED], cells, from_x + dx, from_y + dy))
         for k in range(begin, end):
             row = int(members[k])
             shape = shapes[row]

@@ -189,8 +189,8 @@ def meet_balls(
     x1, y1 = float(balls[first]["x"]), float(balls[first]["y"])
     x2, y2 = float(balls[second]["x"]), float(balls[second]["y"])
     if impact_of_balls(state, balls, flights, first, second, hits, relations):
-        keep_push_out(state, balls[first], shapes, index, cells, members, relations, x1, y1)
-        keep_push_out(state, balls[second], shapes, index, cells, members, relations, x2, y2)
+        keep_push_out(balls[first], shapes, index, cells, members, relations, x1, y1)
+        keep_push_out(balls[second], shapes, index, cells, members, relations, x2, y2)
         work = work_of_shift(state, balls[first], x1, y1) + work_of_shift(state, balls[second], x2, y2)
         book_work(balls, flights, relations, first, second, work)
 

@@ -8,6 +8,7 @@ lead to it. Source: docs/modes.md.
 from __future__ import annotations
 
 from carom.constants import EVENTS_BETWEEN_PAUSES, PARTING_ROUNDS
+from carom.geometry.instants import is_before
 from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
 from carom.rows.hit import BOUNCE, HitRow
@@ -39,7 +40,6 @@ from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
-from carom.world.kernels.continuous.instants import is_before
 from carom.world.kernels.continuous.predict import predict_all
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.regions import rebuild_regions

@@ -5,12 +5,12 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from carom.constants import SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
+from carom.geometry.instants import is_before, later, seconds_since
 from carom.geometry.path import Path, place_on
 from carom.geometry.vector import length
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.flight import ASLEEP, EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
 from carom.rows.state import StateRow
-from carom.world.kernels.continuous.instants import is_before, later, seconds_since
 from carom.world.kernels.step.motion import wake
 
 #: Factor by which the keys of balls stand apart, so that two rows make one number.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import NEVER
+from carom.geometry.instants import later
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
@@ -33,7 +34,6 @@ from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
 from carom.world.kernels.continuous.arrival import energy_of, note_all_passing
 from carom.world.kernels.continuous.flight import age_now, place_after
-from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import (
@@ -47,17 +47,10 @@ from carom.world.kernels.continuous.movers import (
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
-from carom.world.kernels.step.ending import sweep_relations
+from carom.world.kernels.step.ending import find_strays, sweep_relations
 from carom.world.kernels.step.motion import wake_all
 from carom.world.kernels.step.relations import relations_room
-from carom.world.kernels.step.rollback import (
-    find_strays,
-    is_good,
-    is_in_reach,
-    is_measured,
-    is_sound,
-    shapes_are_sound,
-)
+from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound, shapes_are_sound
 from carom.world.kernels.step.spending import keep_spent, unspend
 from carom.world.kernels.step.stages import enter_stage
 

@@ -16,9 +16,9 @@ from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+from carom.world.kernels.broad_phase.regions import age_of_mover
 from carom.world.kernels.continuous.flight import age_now, is_crowded, place_after
 from carom.world.kernels.continuous.lasting import leave_points
-from carom.world.kernels.continuous.movers import age_of_mover
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.surfaces import gap_to_shape, out_of_frame
 from carom.world.kernels.step.relations import add_relation, drop_kind, drop_relation, find_relation, has_kind

@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import inf
 
 from carom.constants import JOLT_MOST, JOLT_SHARE, JOLT_TOLERANCE, JOLT_WAIT, LEAST_TICK
+from carom.geometry.instants import later, seconds_since
 from carom.geometry.vector import larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, NO_BALL, NO_TICK, FlightRow
@@ -19,7 +20,6 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import energy_of
 from carom.world.kernels.continuous.flight import age_now, begins_now, fall_freely, place_after
-from carom.world.kernels.continuous.instants import later, seconds_since
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
     clear,

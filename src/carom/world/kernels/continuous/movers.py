@@ -8,11 +8,12 @@ from __future__ import annotations
 from math import inf
 
 from carom.constants import LEAST_SQUARE, STOP_MARGIN
+from carom.geometry.instants import is_before, later
 from carom.rows.pose import acting_spin, advance_pose, is_moving, pose, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.instants import is_before, later, seconds_since
+from carom.world.kernels.broad_phase.regions import age_of_mover
 
 
 def begin_motion(shape: ShapeRow, time: float, low: float) -> None:
@@ -127,7 +128,7 @@ def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> 
                 # It is on its way still, so there is some time left, if less than rounding.
                 shape["time_left"] = max(float(shape["time_left_before"]) - age, LEAST_SQUARE)
             pose(shape)
-            state["moving_stale"] = 1
+            state["moving_stale"] = STALE
 
 
 def orientation_at(shape: ShapeRow, age: float) -> float:
@@ -136,13 +137,6 @@ def orientation_at(shape: ShapeRow, age: float) -> float:
     if shape["turn_limited"] != 0:
         return min(max(orientation, float(shape["turn_low"])), float(shape["turn_high"]))
     return orientation
-
-
-def age_of_mover(state: StateRow, shape: ShapeRow) -> float:
-    """The seconds for which a shape has moved as it does now."""
-    return seconds_since(
-        float(state["now"]), float(state["now_low"]), float(shape["since"]), float(shape["since_low"])
-    )  # fmt: skip
 
 
 def take_back(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:

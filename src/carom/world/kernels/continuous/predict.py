@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from carom.constants import FEW_FLIGHTS
+from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
@@ -14,7 +15,6 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, open_bins, time_filed, unfile_ball
 from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, place_after
-from carom.world.kernels.continuous.instants import is_before, later
 from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
 from carom.world.kernels.continuous.predict_shapes import predict_shapes

@@ -6,6 +6,7 @@ from math import fabs, inf
 
 from carom.constants import BIN_REACH, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
+from carom.geometry.instants import is_before, later
 from carom.geometry.path import Path
 from carom.geometry.vector import dot, length, length_squared
 from carom.rows.ball import BallRow
@@ -17,7 +18,6 @@ from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
 from carom.world.kernels.continuous.bins import stretch_of
 from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at, place_after
-from carom.world.kernels.continuous.instants import is_before, later
 from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.step.narrow import approaches

@@ -11,6 +11,7 @@ from math import fabs, floor, inf, sqrt
 
 from carom.constants import INDEX_MARGIN, LOOK_TRAVEL, ROOT_STEPS, SENSOR_LOOKS, SEPARATION_SLACK, SWEEP_ROUNDING
 from carom.geometry.impact import impact_disc
+from carom.geometry.instants import is_before, later, seconds_since
 from carom.geometry.path import Path, path_from, place_on
 from carom.geometry.vector import length
 from carom.rows.ball import BallRow
@@ -26,7 +27,6 @@ from carom.world.kernels.continuous.flight import (
     place_after,
     time_to_go,
 )
-from carom.world.kernels.continuous.instants import is_before, later, seconds_since
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame
 
 #: As many looks as are left out at once at most: whole numbers up to far beyond are doubles.

@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import copysign, inf, sqrt
 
 from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
+from carom.geometry.instants import later, seconds_since
 from carom.geometry.path import Path, path_after, place_on
 from carom.geometry.vector import larger
 from carom.rows.ball import BallRow
@@ -23,7 +24,6 @@ from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
-from carom.world.kernels.continuous.instants import later, seconds_since
 from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
@@ -80,7 +80,7 @@ def predict_kinematic(
         if moves:
             predict_on_way(state, ball, flight, shapes, entry, cells, members, relations, age, True)
         else:
-            cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+            cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
             begin, end = cell_span(cells, cell)
             predict_movers(state, ball, flight, shapes, members, relations, begin, end, age, inf)
 
@@ -202,10 +202,10 @@ def predict_slice(
 ) -> None:
     """Foresee impacts with shapes at rest, or those that move, near a slice of a way that is no wider than a cell."""
     left, bottom, right, top = path_box(path_of(ball, flight), begin, end)
-    first = locate(state, entry, cells, left, bottom)
-    second = locate(state, entry, cells, right, bottom)
-    third = locate(state, entry, cells, left, top)
-    fourth = locate(state, entry, cells, right, top)
+    first = locate(entry, cells, left, bottom)
+    second = locate(entry, cells, right, bottom)
+    third = locate(entry, cells, left, top)
+    fourth = locate(entry, cells, right, top)
     for corner in range(4):
         if corner == 0:
             cell = first

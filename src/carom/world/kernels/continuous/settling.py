@@ -18,6 +18,7 @@ from carom.constants import (
     SQUEEZE_DEEP,
     TICK_SHARE,
 )
+from carom.geometry.instants import later
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, NO_TICK, FlightRow
@@ -31,7 +32,6 @@ from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import arrive, energy_of, work_of_shift
 from carom.world.kernels.continuous.encounter import keep_push_out
 from carom.world.kernels.continuous.flight import begins_now, fall_freely, is_crowded, let_fly
-from carom.world.kernels.continuous.instants import later
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
     collect,
@@ -236,9 +236,7 @@ def shift_places(
         if body["x"] != body["from_x"] or body["y"] != body["from_y"]:
             ball["x"] = body["x"]
             ball["y"] = body["y"]
-            keep_push_out(
-                state, ball, shapes, index, cells, members, relations, float(body["from_x"]), float(body["from_y"])
-            )
+            keep_push_out(ball, shapes, index, cells, members, relations, float(body["from_x"]), float(body["from_y"]))
             body["x"] = ball["x"]
             body["y"] = ball["y"]
     _kinetic, after = island_energy(bodies, counts[0], gravity, frame)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from carom.constants import END_SLOP
+from carom.geometry.instants import seconds_since
 from carom.geometry.path import Path, Turning
 from carom.geometry.vector import rotated
 from carom.rows.flight import FlightRow
@@ -12,7 +13,6 @@ from carom.rows.kinds import gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.shape import ShapeRow
-from carom.world.kernels.continuous.instants import seconds_since
 
 
 def age_of_motion(shape: ShapeRow, flight: FlightRow) -> float:

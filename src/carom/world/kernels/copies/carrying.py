@@ -9,7 +9,7 @@ from carom.constants import FEW_SHAPES
 from carom.rows.copies import LayoutRow
 from carom.rows.index import IndexRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import CONTINUOUS, OTHER_REACH, StateRow
+from carom.rows.state import CONTINUOUS, OTHER_REACH, STALE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED
 from carom.world.kernels.continuous.movers import list_movers
@@ -36,7 +36,7 @@ def take_copy(
     carry(layout, memory, marks, copy, words, shapes, queue, moving, switched, True)
     # The index of the static shapes serves all copies whose largest balls are the same.
     state["index_stale"] = 0 if index[FIXED]["reach"] == state["reach"] else OTHER_REACH
-    state["moving_stale"] = 1
+    state["moving_stale"] = STALE
     state["hits"] = 0
     if state["detection"] == CONTINUOUS:
         list_movers(state, shapes, order)

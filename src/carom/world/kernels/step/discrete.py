@@ -5,6 +5,9 @@ Each stage can stop where room runs out, and go on from there when there is more
 
 from __future__ import annotations
 
+from math import inf
+
+from carom.constants import REGION_SUBSTEPS
 from carom.rows.ball import BallRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
@@ -36,12 +39,15 @@ from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.grid import pairs_ahead, pairs_by_grid
 from carom.world.kernels.broad_phase.pairs import pairs_by_brute_force, pairs_by_quadtree, plant_ball_tree
 from carom.world.kernels.broad_phase.patching import patch_index
+from carom.world.kernels.broad_phase.regions import are_few, build_regions, span_on_way
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, build_index
-from carom.world.kernels.step.ending import finish_substep, sweep_relations
+from carom.world.kernels.step.beginning import begin_step
+from carom.world.kernels.step.ending import end_step, finish_substep, sweep_relations
 from carom.world.kernels.step.motion import move_shapes
 from carom.world.kernels.step.narrow import balls_overlap, keep_side, meet_ball, meet_sensing_ball
-from carom.world.kernels.step.rollback import begin_step, end_step, roll_back, shapes_are_sound
+from carom.world.kernels.step.rollback import roll_back
 from carom.world.kernels.step.rounds import meet_all_shapes
+from carom.world.kernels.step.soundness import shapes_are_sound
 from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_end, substep_length
 
@@ -114,9 +120,10 @@ def begin_substep(
     state = states[0]
     # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
-        moved = move_shapes(state, balls, shapes, order, substep_length(state))
+        duration = substep_length(state)
+        moved = move_shapes(state, balls, shapes, order, duration)
         if moved:
-            state["moving_stale"] = 1
+            spend_span(state, shape_index[0][MOVING], duration)
         state["stage_entered"] = 1
         count = int(state["shapes"])
         # The first substep sees those too that were set where no number reaches; later ones see what has moved.
@@ -139,15 +146,26 @@ def rebuild_index(
     order: Table[int],
     shape_index: ShapeIndex,
 ) -> bool:
-    """True when the index of the shapes is right again; False where it has no room."""
-    index, cells, members = shape_index
+    """True when the index of the shapes, which rows show where they are, is right again; False where it has no room."""
     if not rebuild_static(state, balls, shapes, order, shape_index):
         return False
-    if state["moving_stale"] != 0:
-        if not build_index(state, balls, shapes, order, index, MOVING, float(state["reach"]), cells, members):
+    # What is counted depends on how many there are, not on when they were filed.
+    swept = shape_index[0][MOVING]["swept"] != 0
+    if state["moving_stale"] == STALE or swept == (are_few(state, True) or state["broad_phase"] == BRUTE):
+        span = span_on_way(state, shapes, order)
+        if span < inf:
+            span = min(span, REGION_SUBSTEPS * substep_length(state))
+        if not build_regions(state, shapes, order, shape_index, span, True):
             return False
-        state["moving_stale"] = 0
+    state["moving_stale"] = 0
     return True
+
+
+def spend_span(state: StateRow, entry: IndexRow, duration: float) -> None:
+    """Let so many seconds be over of those for which the regions of kinematic shapes hold."""
+    entry["span"] -= duration
+    if entry["span"] < 0.0:
+        state["moving_stale"] = STALE
 
 
 def rebuild_static(
@@ -155,21 +173,23 @@ def rebuild_static(
 ) -> bool:
     """True when the index of the static shapes is right again; False where it has no room."""
     index, cells, members = shape_index
+    fixed, moving = index[FIXED], index[MOVING]
     if state["index_stale"] == 0 and state["taken"] + state["put"] > 0:
         state["index_stale"] = 0 if patch_index(state, shapes, order, index, cells, members) else STALE
     state["taken"] = 0
     state["put"] = 0
-    if state["index_stale"] == OTHER_REACH and index[FIXED]["reach"] == state["reach"]:
+    if state["index_stale"] == OTHER_REACH and fixed["reach"] == state["reach"]:
         # Another copy of the world has made it, whose balls are as large.
         state["index_stale"] = 0
-        state["moving_stale"] = 1
     if state["index_stale"] != 0:
         state["index_stale"] = STALE
-        if not build_index(state, balls, shapes, order, index, FIXED, float(state["reach"]), cells, members):
+        if not build_index(state, balls, shapes, order, shape_index):
             return False
         state["index_stale"] = 0
-        # The kinematic index begins where the static one ends.
-        state["moving_stale"] = 1
+    # The kinematic index stands behind the static one, which may have grown.
+    grown = fixed["cells_end"] > moving["cells_begin"] or fixed["members_end"] > moving["members_begin"]
+    if grown or moving["reach"] != state["reach"]:
+        state["moving_stale"] = STALE
     return True
 
 

@@ -1,4 +1,4 @@
-"""The end of a substep: relations that end, friction, and balls that fall asleep."""
+"""The end of a substep: relations that end, friction, and balls that fall asleep; and that of a step."""
 
 from __future__ import annotations
 
@@ -8,13 +8,17 @@ from carom.rows.kinds import find_contact
 from carom.rows.kinds_near import distance_to_shape
 from carom.rows.masks import may_collide
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, NO_RELATION, PASSING, RelationRow
+from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import DISCRETE, StateRow
+from carom.rows.state import BEGIN, DISCRETE, DONE, HAS_STRAYS, NOT_FINITE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.motion import slow_by_friction
 from carom.world.kernels.step.narrow import boxes_apart
 from carom.world.kernels.step.relations import drop_relation
+from carom.world.kernels.step.rollback import roll_back, save_balls
+from carom.world.kernels.step.soundness import balls_are_sound
+from carom.world.kernels.step.spending import keep_spent
 
 
 def is_there(balls: Table[BallRow], shapes: Table[ShapeRow], ball: BallRow, kind: int, other: int) -> bool:
@@ -124,3 +128,44 @@ def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> N
             ball["vx"] = 0.0
             ball["vy"] = 0.0
             state["sleeping"] += 1
+
+
+def end_step(
+    states: Table[StateRow],
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    saved: Table[SavedRow],
+    relations: Table[RelationRow],
+) -> int:
+    """DONE when the step is complete; HAS_STRAYS if balls are to be removed; NOT_FINITE if it was rolled back."""
+    state = states[0]
+    if state["doubtful"] != 0 and not balls_are_sound(state, balls):
+        roll_back(states, balls, shapes, order, saved, relations)
+        return NOT_FINITE
+    if state["bounded"] != 0:
+        find_strays(state, balls)
+    if state["sleeping"] > 0:
+        # The next step compares with this, to see what was changed through a view while something slept.
+        save_balls(state, balls, saved)
+    state["time"] += state["dt"]
+    keep_spent(state, shapes)
+    state["steps_made"] += 1
+    state["steps_left"] = 0 if 0 < state["stop_hits"] <= state["hits"] else state["steps_left"] - 1
+    state["stage"] = BEGIN
+    return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
+
+
+def find_strays(state: StateRow, balls: Table[BallRow]) -> None:
+    """Mark and count the balls that lie wholly outside of the bounds; those that did not before count as strays."""
+    left, bottom = float(state["left"]), float(state["bottom"])
+    right, top = float(state["right"]), float(state["top"])
+    for i in range(state["balls"]):
+        ball = balls[i]
+        x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
+        outside = x + radius < left or x - radius > right or y + radius < bottom or y - radius > top
+        if outside:
+            state["outside"] += 1
+            # A stray counts once, when it leaves, not in every step that it is out.
+            state["strays"] += 1 - ball["stray"]
+        ball["stray"] = 1 if outside else 0

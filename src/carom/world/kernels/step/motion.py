@@ -21,7 +21,7 @@ from carom.rows.pose import (
 )
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import StateRow
+from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
 
 #: A box that no place is outside of.
@@ -95,6 +95,9 @@ def move_shapes(
             pose_by(shape, c, s)
         if how != STILL:
             moved = True
+            if shape["time_left"] < 0.0:
+                # It was put where it was sent, wherever its region is.
+                state["moving_stale"] = STALE
             # Waking is needed only while something sleeps, and then costs a look at every ball.
             if state["sleeping"] > 0:
                 bulge = turning_bulge(shape)

@@ -220,9 +220,7 @@ def room_for_push(
     last = state["iteration"] + 1 == state["iterations"]
     if not last and (not moving or state["iteration"] < PRESS_ITERATIONS):
         return share, False
-    depth = pressed_depth(
-        state, ball, shapes, shape_index, relations, shape_row, nx, ny, setback
-    )  # fmt: skip
+    depth = pressed_depth(ball, shapes, shape_index, relations, shape_row, nx, ny, setback)
     return 0.0 if last and depth > PRESS_DEPTH * float(ball["radius"]) else share, moving and depth > 0.0
 
 

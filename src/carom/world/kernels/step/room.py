@@ -15,7 +15,7 @@ from carom.rows.relation import PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import cell_span, locate
+from carom.world.kernels.broad_phase.regions import LISTS, list_near
 from carom.world.kernels.step.relations import find_relation
 
 #: Cosine between the normals of two shapes at a ball: one pushes it onto the other if the angle is larger.
@@ -55,8 +55,8 @@ def barrier(
                 found = max(found, barrier_of(ball, shapes[row], row, still, relations, dx, dy))
         return found
     x, y = float(ball["x"]) + dx, float(ball["y"]) + dy
-    for which in range(2):
-        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
+    for which in range(LISTS):
+        begin, end = list_near(index, cells, which, x, y)
         for k in range(begin, end):
             row = int(members[k])
             if row != pusher and found != ACROSS:
@@ -112,7 +112,6 @@ def holds_back(ball: BallRow, shape: ShapeRow, still: bool) -> bool:
 
 
 def pressed_depth(
-    state: StateRow,
     ball: BallRow,
     shapes: Table[ShapeRow],
     shape_index: ShapeIndex,
@@ -126,8 +125,8 @@ def pressed_depth(
     index, cells, members = shape_index
     x, y, radius = float(ball["x"]) + setback * nx, float(ball["y"]) + setback * ny, float(ball["radius"])
     deepest = 0.0
-    for which in range(2):
-        begin, end = cell_span(cells, locate(state, index[which], cells, x, y))
+    for which in range(LISTS):
+        begin, end = list_near(index, cells, which, x, y)
         for k in range(begin, end):
             row = int(members[k])
             shape = shapes[row]

@@ -14,12 +14,14 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import DISCRETE, DONE, FIND_PAIRS, FINISH, NEEDS_PAIRS, NEEDS_ROOM, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import clear_grid, count_ball, grid_ahead
+from carom.world.kernels.broad_phase.regions import LISTS, list_near
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
     MOVING,
     Front,
     cell_near,
     cell_span,
+    comes_first,
     front_of,
     is_free,
     locate,
@@ -57,6 +59,7 @@ def meet_all_shapes(
     gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
     most = most_meetings(state, index)
     front = front_of(state, index)
+    swept = index[MOVING]["swept"] != 0
     slots = pair_tables[0]
     if state["stage_entered"] == 0:
         state["near"] = state["balls"] if first else list_due(state, slots, saved)
@@ -78,7 +81,7 @@ def meet_all_shapes(
         mark["touched"] &= kept
         near, looked = has_near(ball, shapes, shape_index, front)
         state["box_tests"] += looked
-        if near:
+        if near or (swept and has_moving_near(ball, shapes, shape_index)):
             way = (from_x, from_y, float(ball["x"]), float(ball["y"]))
             meet_shapes_near(state, ball, i, shapes, shape_index, hits, relations, mark, first, settling, way)
             note_pairs_due(state, mark)
@@ -119,10 +122,11 @@ def meet_first_shapes(
     if state["stage_entered"] == 0:
         if state["substep"] > 0 or state["met_noted"] == 0:
             launch_balls(state, balls, slots, saved)
-        list_near(state, shape_index, slots, starts, saved)
+        list_balls_near(state, shape_index, slots, starts, saved)
         state["stage_entered"] = 1
     most = most_meetings(state, shape_index[0])
     front = front_of(state, shape_index[0])
+    swept = shape_index[0][MOVING]["swept"] != 0
     grid = grid_ahead(state)
     for k in range(state["cursor"], state["near"]):
         if lacks_room(state, len(hits), len(relations), k, most):
@@ -131,7 +135,7 @@ def meet_first_shapes(
         ball, mark = balls[i], saved[i]
         near, looked = has_near(ball, shapes, shape_index, front)
         state["box_tests"] += looked
-        if near:
+        if near or (swept and has_moving_near(ball, shapes, shape_index)):
             way = (float(slots[k]["x"]), float(slots[k]["y"]), float(ball["x"]), float(ball["y"]))
             meet_shapes_near(state, ball, i, shapes, shape_index, hits, relations, mark, True, False, way)
             note_pairs_due(state, mark)
@@ -159,7 +163,7 @@ def launch_balls(state: StateRow, balls: Table[BallRow], slots: Table[SlotRow], 
     state["doubtful"] = 1
 
 
-def list_near(
+def list_balls_near(
     state: StateRow, shape_index: ShapeIndex, slots: Table[SlotRow], starts: Table[int], saved: Table[SavedRow]
 ) -> None:
     """List the balls that have shapes near, and count the others in the grid that was laid ahead, if any.
@@ -196,7 +200,10 @@ def leave_grid(state: StateRow) -> None:
 def has_near(
     ball: BallRow, shapes: Table[ShapeRow], shape_index: ShapeIndex, front: Front
 ) -> tuple[bool, int]:  # fmt: skip
-    """False where the box of a ball surely meets none of the shapes, and how many were compared to see that."""
+    """False where the box of a ball surely meets none of the static shapes, and how many were compared to see that.
+
+    True where the front knows nothing.
+    """
     _index, cells, members = shape_index
     x, y = float(ball["x"]), float(ball["y"])
     if not front[0]:
@@ -211,6 +218,17 @@ def has_near(
         if not boxes_apart(ball, shapes[members[k]]):
             return True, 0
     return False, end - begin
+
+
+def has_moving_near(ball: BallRow, shapes: Table[ShapeRow], shape_index: ShapeIndex) -> bool:
+    """True if the box of a ball meets that of a kinematic shape."""
+    index, cells, members = shape_index
+    for which in range(MOVING, LISTS):
+        begin, end = list_near(index, cells, which, float(ball["x"]), float(ball["y"]))
+        for k in range(begin, end):
+            if not boxes_apart(ball, shapes[members[k]]):
+                return True
+    return False
 
 
 def meet_shapes_near(
@@ -231,15 +249,25 @@ def meet_shapes_near(
     for turn in range(2):
         # Static shapes last in that round: what moves may push a ball into a wall, never the reverse.
         entry = index[1 - turn if settling else turn]
-        cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+        cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
         k, end = cell_span(cells, cell)
-        state["box_tests"] += end - k
+        w, wide_end = int(entry["wide_begin"]), int(entry["wide_end"])
+        swept = entry["swept"] != 0
+        if not swept:
+            state["box_tests"] += (end - k) + (wide_end - w)
         left = NEW_CELLS
-        while k < end:
-            row = int(members[k])
-            k += 1
+        while k < end or w < wide_end:
+            if w == wide_end or (k < end and comes_first(shapes, int(members[k]), int(members[w]))):
+                row = int(members[k])
+                k += 1
+            else:
+                row = int(members[w])
+                w += 1
             shape = shapes[row]
-            if boxes_apart(ball, shape) or not may_collide(ball, shape) or (settling and is_moving(shape)):
+            if boxes_apart(ball, shape):
+                continue
+            state["box_tests"] += int(swept)
+            if not may_collide(ball, shape) or (settling and is_moving(shape)):
                 continue
             contact = overlap_beside_walls(state, ball, shape, shapes, shape_index, relations, first, way)
             if contact is None:
@@ -249,13 +277,14 @@ def meet_shapes_near(
             pushed = meet_shape(state, ball, i, shapes, row, shape_index, hits, relations, mark, first, way, touch)
             # A push may have taken it into another cell, whose shapes it meets from there on, in the same order.
             if pushed and left > 0:
-                new_cell = locate(state, entry, cells, float(ball["x"]), float(ball["y"]))
+                new_cell = locate(entry, cells, float(ball["x"]), float(ball["y"]))
                 if new_cell != cell:
                     left -= 1
                     cell = new_cell
-                    state["box_tests"] -= end - k
+                    unseen = end - k
                     k, end = rest_of_cell(shapes, cells, members, cell, row)
-                    state["box_tests"] += end - k
+                    if not swept:
+                        state["box_tests"] += end - k - unseen
 
 
 def note_pairs_due(state: StateRow, mark: SavedRow) -> None:

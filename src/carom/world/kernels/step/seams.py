@@ -13,7 +13,7 @@ from carom.rows.relation import PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
-from carom.world.kernels.broad_phase.shape_index import cell_span, locate
+from carom.world.kernels.broad_phase.regions import LISTS, list_near
 from carom.world.kernels.step.narrow import Touch, Way, overlap_with, starts_passing
 from carom.world.kernels.step.relations import find_relation
 
@@ -59,8 +59,8 @@ def yields_to_wall(
         return False
     index, cells, members = shape_index
     # A ball that overlaps the wall is in the wall's reach, so the wall is in the cell of the ball's centre.
-    for which in range(2):
-        k, end = cell_span(cells, locate(state, index[which], cells, x, y))
+    for which in range(LISTS):
+        k, end = list_near(index, cells, which, x, y)
         while k < end:
             row = int(members[k])
             k += 1

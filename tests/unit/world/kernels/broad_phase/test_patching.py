@@ -53,7 +53,6 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
     inner[7].position = (0.3, 0.1)
     world.add(carom.Point((2, 2)), carom.Arc((3, 3), 1.0, 0.0, 4.0))
     assert patched(world)
-    assert world._arrays.states[0]["moving_stale"] == 1
     found = cells_of(world._arrays)
     assert found == made_anew(world._arrays)
     assert sum(map(len, found[1])) > 50

@@ -1,6 +1,7 @@
 """The index of shapes: which cell a place is in, what is in it, and when it is made anew."""
 
 from math import inf, nan
+from typing import Any
 
 import numpy as np
 import pytest
@@ -38,7 +39,7 @@ def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
     prepare_index(world, 1.0)
     arrays = world._arrays
     places = ((5.0, 1.5), (11.2, 0.0), (1e300, 0.0), (0.0, -inf), (nan, 0.0), (0.0, nan))
-    cells = [locate(arrays.states[0], arrays.index[FIXED], arrays.cells, x, y) for x, y in places]
+    cells = [locate(arrays.index[FIXED], arrays.cells, x, y) for x, y in places]
     assert [cell for cell in cells[2:] if cell != -1] == []
     assert found_shapes(world, FIXED, 5.0, 0.5) == [0]
 
@@ -92,12 +93,14 @@ def test_the_rest_of_a_cell_is_what_is_met_after_a_shape() -> None:
         assert arrays.members[begin:end].tolist() == order[place + 1 :]
 
 
-def test_cells_are_no_smaller_than_a_ball_and_not_too_many() -> None:
-    assert cell_side(10.0, 10.0, 1000, 3.0) == 6
+@pytest.mark.parametrize(("detection", "most"), [("discrete", 640), ("continuous", 160)])
+def test_cells_are_no_smaller_than_a_ball_and_not_too_many(detection: Any, most: int) -> None:
+    state = World(detection=detection)._arrays.states[0]
+    assert cell_side(state, 10.0, 10.0, 1000, 3.0) == 6
     for width, height in ((100.0, 100.0), (1e6, 1e-3), (1e-3, 1e6), (0.0, 5.0)):
-        side = cell_side(width, height, 10, 0.0)
-        assert (width / side + 1) * (height / side + 1) < 4 * 640
-    assert cell_side(0.0, 0.0, 1, 0.0) == 1
+        side = cell_side(state, width, height, 10, 0.0)
+        assert most / 2 < (width / side + 1) * (height / side + 1) < 4 * most
+    assert cell_side(state, 0.0, 0.0, 1, 0.0) == 1
 
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])

@@ -238,7 +238,7 @@ def test_a_push_does_not_go_into_a_shape() -> None:
     ball = arrays.balls.rows[0]
     ball["x"], ball["y"] = 0.01, -0.02
     tables = arrays.shapes.rows, *shape_index(arrays), arrays.relations
-    keep_push_out(arrays.states[0], ball, *tables, 0.0, 0.0)
+    keep_push_out(ball, *tables, 0.0, 0.0)
     assert (ball["x"], ball["y"]) == pytest.approx((0.01, 0.0), abs=1e-15)
 
 
@@ -256,7 +256,7 @@ def test_a_tired_ball_is_stopped_between_two_shapes_that_lead_it_back_and_forth(
     tables = near_tables(arrays)
     row = arrays.balls.rows[0]
     row["vy"] = velocity[1]  # as the floor has left it
-    stop_between(arrays.states[0], row, arrays.flights[0], *tables, 0, 0.0, 1.0)
+    stop_between(row, arrays.flights[0], *tables, 0, 0.0, 1.0)
     assert (row["vx"], row["vy"]) == pytest.approx(velocity if stops else (velocity[0] - 1, velocity[1]))
 
 

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from carom.geometry.instants import is_before
 from carom.rows.flight import FLIGHT, NO_PLACE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.instants import is_before
 from carom.world.kernels.continuous.queue import is_sooner, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
 

@@ -1,5 +1,7 @@
 """The end of a substep: friction, sleep, and relations that hold no more."""
 
+from math import nan
+
 import numpy as np
 import pytest
 
@@ -7,11 +9,12 @@ from carom import Ball, Segment, World
 from carom.rows.ball import OF_WORLD
 from carom.rows.hit import EXIT, HIT_ROW
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING
+from carom.rows.state import DONE, HAS_STRAYS, NOT_FINITE
 from carom.rows.tables import Rows
-from carom.world.kernels.step.ending import finish_substep, still_holds, sweep_relations
+from carom.world.kernels.step.ending import end_step, find_strays, finish_substep, still_holds, sweep_relations
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
-from tests.kernel_calls import ball_rows, prepared, state_row
+from tests.kernel_calls import ball_rows, begun, prepared, state_row
 from tests.worlds import world_of
 
 
@@ -108,3 +111,38 @@ def test_a_relation_ends_with_what_it_was_to_or_when_that_is_a_sensor_no_more(ki
     assert not holds()
     arrays.balls.rows[1]["sensor"] = 1
     assert holds() == (kind != PASSING)
+
+
+@pytest.mark.parametrize(("removes", "status"), [(True, HAS_STRAYS), (False, DONE)])
+def test_a_step_ends_with_its_time_and_with_those_that_have_left_the_bounds(removes: bool, status: int) -> None:
+    world = World(bounds=(0, 0, 10, 10), remove_strays=removes)
+    for x, y in ((5, 5), (-0.99, 5), (-1.01, 5), (5, 11.01), (5, 10.99), (11.5, 11.5)):
+        world.add(Ball((x, y), 1))
+    arrays = prepared(world)
+    arrays.states[0]["dt"], arrays.states[0]["steps_left"] = 0.25, 3
+    assert begun(arrays) == DONE
+    arrays.balls.rows["stray"][5] = 1
+    found = end_step(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
+    assert found == status
+    assert arrays.balls.used["stray"].tolist() == [0, 0, 1, 1, 0, 1]
+    state = arrays.states[0]
+    assert (state["time"], state["steps_left"], state["outside"], state["strays"]) == (0.25, 2, 3, 2)
+
+
+def test_a_step_that_leaves_a_ball_infinite_is_undone() -> None:
+    arrays = prepared(world_of(Segment((0, 0), (1, 0)), Ball((0, 0), 1), Ball((5, 5), 1, velocity=(1, 2))))
+    assert begun(arrays) == DONE
+    before = arrays.balls.used.tobytes()
+    arrays.balls.used["x"] = 3.0, nan
+    # Whatever moves or turns a ball looks whether it is sound still, and notes where it is not.
+    arrays.states[0]["doubtful"] = 1
+    found = end_step(arrays.states, arrays.balls.rows, arrays.shapes.rows, arrays.order, arrays.saved, arrays.relations)
+    assert found == NOT_FINITE
+    assert arrays.balls.used.tobytes() == before
+    assert arrays.states[0]["time"] == 0.0
+
+
+def test_a_ball_on_the_border_is_no_stray() -> None:
+    arrays = prepared(world_of(Ball((-1, 5), 1), Ball((11, 5), 1), bounds=(0, 0, 10, 10)))
+    find_strays(arrays.states[0], arrays.balls.rows)
+    assert arrays.states[0]["strays"] == 0

@@ -8,6 +8,7 @@ import pytest
 from carom import Ball, Segment
 from carom.rows.pose import advance_pose
 from carom.rows.tables import Row
+from carom.world.kernels.step.beginning import list_restless
 from carom.world.kernels.step.motion import (
     EVERYWHERE,
     box_of_ways,
@@ -21,7 +22,6 @@ from carom.world.kernels.step.motion import (
     wake,
     wake_in_box,
 )
-from carom.world.kernels.step.rollback import list_restless
 from tests.kernel_calls import ball_rows, prepared, state_row
 from tests.worlds import world_of
 
@@ -106,6 +106,7 @@ def test_shapes_that_turn_alike_or_not_are_each_where_their_own_turn_puts_them()
     spins = 0.3, 0.3, -7.0, 0.3, 0.0, 1e300
     hands = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
     room = prepared(world_of(*hands, substeps=1))
+    room.states[0]["moving_stale"] = 1
     list_restless(room.states[0], room.shapes.rows, room.order)
     alone = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
     for _ in range(3):

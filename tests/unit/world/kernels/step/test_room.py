@@ -66,5 +66,5 @@ def test_a_ball_between_two_walls_is_pressed_onto_one_as_deep_as_the_other_pushe
     floor, roof = Segment((-5, 0), (5, 0)), Segment((-5, height), (5, height))
     arrays = prepared(world_of(floor, roof, Ball((0, 0.8), 1)))
     tables = arrays.shapes.rows, shape_index(arrays), arrays.relations
-    depth = pressed_depth(arrays.states[0], arrays.balls.rows[0], *tables, 0, 0.0, 1.0, 0.2)
+    depth = pressed_depth(arrays.balls.rows[0], *tables, 0, 0.0, 1.0, 0.2)
     assert depth == pytest.approx(max(2.0 - height, 0.0))

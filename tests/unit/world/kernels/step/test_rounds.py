@@ -12,8 +12,8 @@ from carom.constants import FEW_TO_SORT
 from carom.rows.index import SLOT
 from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
 from carom.rows.state import DONE
-from carom.world.kernels.step.rollback import begin_step
-from carom.world.kernels.step.rounds import launch_balls, list_due, list_near
+from carom.world.kernels.step.beginning import begin_step
+from carom.world.kernels.step.rounds import launch_balls, list_balls_near, list_due
 from tests.kernel_calls import ball_rows, prepared, shape_index, state_row
 from tests.worlds import bits, box, guarded, world_of
 
@@ -144,7 +144,7 @@ def test_those_near_shapes_are_listed_with_the_places_that_they_come_from() -> N
         state["substep"], state["grid_size"] = substep, 0
         if substep > 0:
             launch_balls(state, arrays.balls.rows, slots, arrays.saved)
-        list_near(state, index, slots, arrays.starts, arrays.saved)
+        list_balls_near(state, index, slots, arrays.starts, arrays.saved)
         assert slots["ball"][: state["near"]].tolist() == [1, 3]
         assert slots["x"][:2].tolist() == [0.5, 80.0]
         assert slots["y"][:2].tolist() == [10.0 + 2.0 * substep] * 2

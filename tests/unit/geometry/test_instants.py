@@ -6,7 +6,7 @@ from math import inf, ulp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom.world.kernels.continuous.instants import is_before, later, seconds_since
+from carom.geometry.instants import is_before, later, seconds_since
 
 #: Times from a world's first moment to far beyond its last, and steps of any length.
 TIMES = st.floats(0.0, 1e12)
