@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import tomllib
 from importlib.metadata import entry_points, version
 from pathlib import Path
 from zipfile import ZipFile
@@ -58,6 +59,15 @@ def test_the_wheel_holds_every_file_of_the_package_its_types_and_its_licence(whe
     assert "carom/draw/replay/template.html" in sources
     assert "carom/py.typed" in names
     assert any(name.endswith("licenses/LICENSE") for name in names)
+
+
+def test_the_extra_of_the_site_brings_what_the_gallery_asks_for() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    brought = {"docs", *re.findall(r"\w+", extras["docs"][0].partition("[")[2])}
+    programs = [path.read_text(encoding="utf-8") for path in (ROOT / "examples").glob("*.py")]
+    asked = {name for text in programs for name in re.findall(r"carom\[(\w+)\]", text)}
+    assert "drawings" in asked
+    assert asked <= brought
 
 
 def test_the_wheel_holds_nothing_else(wheel: ZipFile) -> None:

@@ -385,3 +385,16 @@ def test_words_stand_where_they_are_to() -> None:
         box = pygame.mask.from_threshold(surface, (255, 255, 255), (90, 90, 90)).get_bounding_rects()
         assert min(one.left for one in box) == pytest.approx(left, abs=3)
         assert min(one.top for one in box) >= 10
+
+
+def test_the_corner_has_one_line_where_a_screenshot_was_kept_if_one_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(carom, "compiling", lambda: True)
+    window = Window(Counting(frames=99))
+    window._kept, window._kept_left = "kept", 0.5
+    written: list[str] = []
+    monkeypatch.setattr(Letters, "draw", lambda self, surface, words, *_, **__: written.append(words))
+    for _ in range(2):
+        window.frame(0.5)
+    assert written[0] == "kept"
+    assert written[1].startswith("compiling")
+    assert len(written) == 2

@@ -312,7 +312,8 @@ def toy(
 def pinball(seconds: Seconds = None) -> None:
     """Play pinball.
 
-    The flippers are the shift keys, space is the plunger, F1 is help.
+    Left and Right, or the shift keys, are the flippers, space held and let go is the
+    plunger, F1 is help.
     """
     games.pinball(span(seconds))
 
@@ -324,14 +325,15 @@ def pool(
         typer.Option(
             metavar="NUMBER",
             show_default=False,
-            help="Balls to pot, 1 to 8; where there are several, in so many shots. By default 1.",
+            help="Balls to pot, 1 to 8; several within so many shots, 3 in 5, 8 in 13. By default 1.",
         ),
     ] = "1",
     seconds: Seconds = None,
 ) -> None:
     """Play the end of a game of pool.
 
-    The mouse aims, its button draws the cue back, F1 is help.
+    The mouse aims, a click shoots with the power shown; its button held draws the cue
+    instead. F1 is help.
     """
     if balls not in map(str, range(1, games.MOST_BALLS + 1)):
         raise Mistake(f"--balls {balls}: must be a whole number from 1 to {games.MOST_BALLS}")

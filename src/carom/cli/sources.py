@@ -20,6 +20,8 @@ from carom.scene.drawings.reading import is_drawing
 
 #: The ending of recordings.
 RECORDED = ".carom"
+#: The endings of what can be a scene, and that is looked for where none is found.
+SCENES = (".toml", ".json", ".svg", ".dxf", RECORDED)
 #: The warnings that are said in a line.
 TOLD = (DrawingWarning, LettersWarning)
 #: The headings of shipped scenes whose names have no room for all of it.
@@ -99,5 +101,14 @@ def find(text: str) -> Source:
         return Source(scene.name or path.stem, "", path, lambda: scene)
     if is_folder:
         raise Mistake(f"{text}: is a folder, not a scene file")
-    hint = meant(text, by_name) or f"shipped are {', '.join(by_name)}"
+    hint = meant(text, [*by_name, *files_beside(path)]) or f"shipped are {', '.join(by_name)}"
     raise Mistake(f"{text}: no such file, and no shipped scene of that name; {hint}")
+
+
+def files_beside(path: Path) -> list[str]:
+    """The scene files, drawings and recordings in the folder of a path that is not there, as they would be given."""
+    try:
+        names = sorted(path.parent.iterdir())
+    except OSError:
+        return []
+    return [str(name) for name in names if name.suffix.lower() in SCENES]

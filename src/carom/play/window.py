@@ -21,8 +21,9 @@ RATE = 60
 LONGEST_FRAME = 0.25
 #: What is written in the picture's lower left corner while it is so.
 COMPILING = "compiling in the background, once on this machine, for {:.0f} s: until then it may be slow, or stand still"
-#: What is written there: letters of so many pixels, their ink, its plate.
-SMALL, INK, PLATE = 12, (214, 214, 214), (24, 24, 28)
+#: What is written there, one line that hides little of the game's own: letters of so many pixels, their ink, its plate,
+#: and how high that is.
+SMALL, INK, PLATE, HIGH = 12, (214, 214, 214), (24, 24, 28), 15
 #: What a window says until its first frame.
 GREETING = "one moment ..."
 #: Seconds: steps of a frame that take longer while kernels are compiled are not made again for so long, the longer the
@@ -133,19 +134,18 @@ class Window:
             self._shooting = False
 
     def _tell(self, seconds: float) -> None:
-        """Write into the picture's corner where a screenshot was kept, and that kernels are compiled meanwhile."""
+        """Write into the picture's corner where a screenshot was kept, or else that kernels are compiled meanwhile."""
         self._compiled_for = self._compiled_for + seconds if carom.compiling() else 0.0
-        lines = [COMPILING.format(self._compiled_for)] if self._compiled_for else []
+        words = COMPILING.format(self._compiled_for) if self._compiled_for else ""
         if self._kept_left > 0.0:
-            lines.append(self._kept)
-            self._kept_left -= seconds
-        letters, bottom, times = self._letters, self._game.size[1], self._times
-        for words in lines:
-            area = pygame.Rect(0, 0, letters.width(words, SMALL * times) + 12 * times, (SMALL + 6) * times)
-            area.bottomleft = (0, bottom)
-            self.surface.fill(PLATE, area)
-            letters.draw(self.surface, words, (area.left + 6 * times, area.top + 2 * times), SMALL * times, INK)
-            bottom = area.top
+            words, self._kept_left = self._kept, self._kept_left - seconds
+        if not words:
+            return
+        letters, times = self._letters, self._times
+        area = pygame.Rect(0, 0, letters.width(words, SMALL * times) + 12 * times, HIGH * times)
+        area.bottomleft = (0, self._game.size[1])
+        self.surface.fill(PLATE, area)
+        letters.draw(self.surface, words, (area.left + 6 * times, area.top + times), SMALL * times, INK)
 
     def run(self, seconds: float | None = None) -> FrameMeter:
         """The times of all frames, once the game has been closed or `seconds` are over."""

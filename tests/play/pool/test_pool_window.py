@@ -5,16 +5,17 @@ from __future__ import annotations
 from math import atan2, cos, pi, sin
 from pathlib import Path
 
+import numpy as np
 import pygame
 import pytest
 
 from carom.play.pool import run, setups, sounds
 from carom.play.pool.app import PoolApp
 from carom.play.pool.game import Impact, Phase, Setup
-from carom.play.pool.layout import SCALE
+from carom.play.pool.layout import SCALE, SIZE
 from carom.play.pool.table_art import pockets
 from carom.play.pool.view import ARROW
-from carom.play.window import Window
+from carom.play.window import HIGH, PLATE, Window
 from tests.play import screens
 
 EASY = Setup(cue=(238.0, 111.0), eight=(248.0, 121.0))
@@ -333,3 +334,15 @@ def test_sound_can_be_switched_off() -> None:
 def test_a_sitting_ends_after_its_seconds() -> None:
     meter = run(tell=lambda line: None, seconds=0.05)
     assert meter.frames >= 1
+
+
+def test_the_line_in_the_corner_leaves_the_line_of_keys_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    player = Player(EASY)
+    keys = pygame.Rect(36, SIZE[1] - 2 * HIGH - 1, 600, HIGH + 1)
+    monkeypatch.setattr(player.window, "_kept_left", 0.0)
+    without = pygame.surfarray.array3d(player.window.surface.subsurface(keys))
+    player.window._kept, player.window._kept_left = "screenshot kept as " + 60 * "x", 1.0
+    player.frames(1)
+    assert np.array_equal(pygame.surfarray.array3d(player.window.surface.subsurface(keys)), without)
+    below = player.window.surface.get_at((3, SIZE[1] - HIGH + 1))[:3]
+    assert below == PLATE

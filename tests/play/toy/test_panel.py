@@ -8,6 +8,8 @@ import pytest
 
 import carom
 from carom.draw import Layer
+from carom.play.pen import Pen
+from carom.play.toy import app, beside
 from carom.play.toy.items import OPTIONS, ROWS, Buttons, Choice, Numbers, Slider
 from carom.play.toy.readout import LARGE, SIDE, wrapped
 from carom.play.toy.sentences import SENTENCES
@@ -72,6 +74,22 @@ def test_side_by_side_shows_two_tables_and_one_of_them_stays(player: Player) -> 
     player.click(("detection", "continuous"))
     assert player.desk.tables == (second,)
     assert [view.table for view in player.toy.views] == [second]
+
+
+def test_side_by_side_says_that_the_tables_stand_still_while_they_do(
+    player: Player, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.click(("detection", "both"))
+    written: list[str] = []
+    words = Pen.words
+    monkeypatch.setattr(
+        Pen, "words", lambda pen, what, *rest, **more: (written.append(what), words(pen, what, *rest, **more))[1]
+    )
+    for compiling, said in ((True, beside.WAIT), (False, beside.TRY)):
+        monkeypatch.setattr(app.carom, "compiling", lambda compiling=compiling: compiling)
+        written.clear()
+        player.frames(1)
+        assert {beside.WAIT, beside.TRY} & set(written) == {said}
 
 
 @pytest.mark.slow

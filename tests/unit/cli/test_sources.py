@@ -66,6 +66,17 @@ def test_a_recording_is_found_with_its_scene(name: str) -> None:
     assert source.scene() == scene
 
 
+@pytest.mark.parametrize("folder", ["", "tables/"])
+def test_a_misspelt_file_is_asked_for_by_its_name(here: Path, folder: str) -> None:
+    (here / folder).mkdir(exist_ok=True)
+    for name in ("table.toml", "table.txt"):
+        (here / folder / name).write_text("")
+    with pytest.raises(Mistake, match=rf"did you mean {folder}table\.toml\?"):
+        find(f"{folder}tabel.toml")
+    with pytest.raises(Mistake, match="shipped are"):
+        find("nowhere/qqq.toml")
+
+
 def test_a_shipped_scene_comes_before_a_file_of_its_name(here: Path) -> None:
     (here / "toy").write_text("no scene")
     assert find("toy").path is None

@@ -129,11 +129,15 @@ def balls_on_stage(recording: Recording) -> Balls:
 
 
 def stage_box(cast: Cast, balls: Balls) -> Aabb:
-    """The part of the world to show: the shapes, and the balls that begin no farther from them than they span."""
+    """The part of the world to show: the shapes, and the balls that begin no farther from them than they span.
+
+    Where none begins so near, as over a short floor, all of them are shown.
+    """
     box = box_around([(drawn.shape, drawn.look) for drawn in cast.drawn(colliding=True)], balls)
     wide = widened(box, longer_side(box))
     x, y, radii = *balls.centers.T, balls.radii
     near = (wide.left < x) & (x < wide.right) & (wide.bottom < y) & (y < wide.top)
+    near |= not near.any()
     return Aabb(
         float((x - radii).min(where=near, initial=box.left)),
         float((y - radii).min(where=near, initial=box.bottom)),

@@ -290,7 +290,7 @@ class Toy:
         beside.draw_captions(pen, self.views, self.desk.kinds)
         top = self.views[0].area.bottom + 84
         area = pygame.Rect(16, top, self._stage.width - 32, self._stage.bottom - top - 10)
-        self._losses.draw(pen, area, self.desk.kinds)
+        self._losses.draw(pen, area, self.desk.kinds, waits=self._waits())
 
     def _draw_hand(self, pen: Pen) -> None:
         """Draw what the hand holds."""

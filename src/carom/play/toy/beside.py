@@ -25,6 +25,7 @@ LEAST_SPAN, MOST_SPAN, PAUSE = 10.0, 60.0, 0.25
 #: Lost balls that the curves have room for, at least.
 LEAST_COUNT = 4
 TRY = "Both tables are given the same launches. Try few motion iterations and fast balls, then launch n."
+WAIT = "Both tables stand still until their step is compiled, once on this machine: about a minute."
 
 
 def areas(area: pygame.Rect) -> list[pygame.Rect]:
@@ -49,10 +50,11 @@ class Losses:
         while self._points[0][0] < self._time - MOST_SPAN:
             self._points.popleft()
 
-    def draw(self, pen: Pen, area: pygame.Rect, kinds: Sequence[str]) -> None:
-        """Draw a curve for each table, and what to look for."""
+    def draw(self, pen: Pen, area: pygame.Rect, kinds: Sequence[str], *, waits: bool = False) -> None:
+        """Draw a curve for each table, and what to look for, or that the tables wait for a compiler."""
         pen.words("Balls lost through walls", area.topleft, 14, colours.TEXT)
-        pen.words(TRY, (area.left, area.top + 22), 12, colours.MUTED)
+        words, ink = (WAIT, colours.WARM) if waits else (TRY, colours.MUTED)
+        pen.words(words, (area.left, area.top + 22), 12, ink)
         chart = pygame.Rect(area.left, area.top + 52, area.width - 44, area.height - 74)
         span = max(LEAST_SPAN, self._time - self._points[0][0])
         most = max(LEAST_COUNT, *(max(counts) for _, counts in self._points))

@@ -82,6 +82,11 @@ def test_the_stage_holds_the_shapes_and_the_balls_that_begin_near_them() -> None
     assert tuple(stage_box(Cast.of(aside), balls_on_stage(aside))) == (-2.5, -3.5, 4.0, 0.0)
 
 
+def test_balls_that_all_begin_far_from_the_shapes_are_on_the_stage() -> None:
+    run = carom.Recording.of(world_of(carom.Segment((-1, 0), (1, 0)), carom.Ball((0, 5), 0.5)), 0.1)
+    assert tuple(stage_box(Cast.of(run), balls_on_stage(run))) == (-1.0, 0.0, 1.0, 5.5)
+
+
 def test_energies_come_back() -> None:
     run = furnished_run()
     column = energy_column(run)
