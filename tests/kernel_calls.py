@@ -33,7 +33,7 @@ from carom.world.kernels.broad_phase.pairs import (
     plant_ball_tree,
 )
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
-from carom.world.kernels.broad_phase.shape_index import cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import MOVING, cell_span, locate
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
 from carom.world.kernels.continuous.predict import predict_all, predict_own
 from carom.world.kernels.continuous.regions import rebuild_regions
@@ -125,6 +125,8 @@ def prepare_index(world: World, reach: float) -> None:
 def found_shapes(world: World, which: int, x: float, y: float) -> list[int]:
     """The rows of the shapes that the index gives for a place, in its order."""
     arrays = world._arrays
+    if which == MOVING:
+        return found_moving(arrays, x, y)
     begin, end = cell_span(arrays.cells, locate(arrays.index[which], arrays.cells, x, y))
     rows: list[int] = arrays.members[begin:end].tolist()
     return rows

@@ -231,6 +231,10 @@ JOINT_TURN = 1e-9
 #: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
 SQUEEZE_GAP = 0.05
 
+#: Cosine of the angle between where a ball is pushed and what stops it alone. Smaller, and balls that would glide off
+#: aside are gone over.
+SQUEEZE_FACING = 0.5
+
 #: Fraction of a ball's radius: a ball that the last iteration still presses deeper than this onto a shape at rest is
 #: squeezed. Smaller, and a flipper that drives a ball out of a narrow nook lets it through; larger, and balls that have
 #: no room are pressed for longer.

@@ -168,3 +168,41 @@ def test_a_ball_that_all_but_fills_its_cage_stays_in_it(seed: int) -> None:
         with within(10):
             world.step(random.choice((1 / 60, 0.1)))
         assert hypot(*ball.position) <= 2 * (room - 1.0) + 1e-6
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(40))
+def test_one_of_three_walls_that_close_goes_over_an_elastic_ball(seed: int) -> None:
+    random = Random(seed)
+    turn, speed = random.uniform(0, 2 * pi), 10 ** random.uniform(-2, 1)
+    angles = [turn, turn + pi - random.uniform(1.06, 1.3), turn + pi + random.uniform(1.06, 1.3)]
+    walls = []
+    for angle in angles:
+        nx, ny = cos(angle), sin(angle)
+        walls.append(Segment((-2 * nx - 9 * ny, -2 * ny + 9 * nx), (-2 * nx + 9 * ny, -2 * ny - 9 * nx)))
+    press = walls.pop(0)
+    moving = Segment(press.p0, press.p1, motion="kinematic", velocity=(speed * cos(turn), speed * sin(turn)))
+    world = continuous_world(*walls, moving)
+    ball = world.add(Ball((0, 0), 1.0, velocity=(random.uniform(-3, 3), random.uniform(-3, 3))))
+    for _ in range(200):
+        with within(10):
+            world.step(0.1 / speed)
+        if world.statistics.squeezed:
+            break
+    assert world.statistics.squeezed == 1
+    assert hypot(*ball.velocity) < 1e4
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("far", [0.0, 1e2, 1e4, 1e6])
+def test_far_from_the_origin_too_a_ball_in_a_ring_with_a_wall_in_it_ends_its_impacts(far: float) -> None:
+    ring = Circle((far, far), 0.3514331988382041)
+    wall = Segment((far - 0.0855702, far + 0.4333), (far - 0.0348872, far - 0.20576330))
+    world = continuous_world(ring, wall)
+    world.add(Ball((far + 0.00142872, far + 0.00011331), 0.35, velocity=(-4.9, 3.1), elasticity=0.9))
+    for _ in range(20):
+        with within(10):
+            world.step(1 / 60)
+    assert np.isfinite(world.balls.position).all()

@@ -13,7 +13,6 @@ from carom.constants import (
     PUSH_MOST,
     SEPARATION_SLACK,
     SHORT_GAP,
-    SQUEEZE_GAP,
 )
 from carom.geometry.gap import placed
 from carom.geometry.response import exchanged, rebounded
@@ -37,6 +36,7 @@ from carom.world.kernels.continuous.island import is_solved, join, lies
 from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, slow_rebound
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.sensing import cross_edge
+from carom.world.kernels.continuous.squeezing import is_squeezed
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
 from carom.world.kernels.step.hits import cross_ball, record_hit
 from carom.world.kernels.step.narrow import limit_speed, push_apart
@@ -274,56 +274,6 @@ def long_normal(ball: BallRow, shape: ShapeRow, age: float, nx: float, ny: float
     if dx * nx + dy * ny > 0.0:
         return dx, dy
     return -dx, -dy
-
-
-def is_squeezed(
-    ball: BallRow,
-    flight: FlightRow,
-    shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
-    row: int,
-    push: float,
-    nx: float,
-    ny: float,
-) -> bool:
-    """True if a ball that the kinematic shape in `row` pushes so far along a normal lacks the room, or all but.
-
-    That is one that stands still, or moves too and comes first in order; it has the last word.
-    """
-    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
-    room = SQUEEZE_GAP * radius + push
-    ahead = SQUEEZE_GAP * radius + room
-    begin, end = cell_span(cells, locate(index[FIXED], cells, x + ahead * nx, y + ahead * ny))
-    for k in range(begin, end):
-        if is_in_way(ball, flight, shapes[members[k]], room, nx, ny):
-            return True
-    near, wide = kinematic_near(index, cells, x + ahead * nx, y + ahead * ny)
-    while is_any_near(near, wide):
-        other, near, wide = next_near(shapes, members, near, wide)
-        before = other < row or not is_moving(shapes[other])
-        if other != row and before and is_in_way(ball, flight, shapes[other], room, nx, ny):
-            return True
-    return False
-
-
-def is_in_way(ball: BallRow, flight: FlightRow, shape: ShapeRow, room: float, nx: float, ny: float) -> bool:
-    """True if a ball that goes along a normal has less than some room before a shape that stops it."""
-    if shape["sensor"] != 0 or not may_collide(ball, shape):
-        return False
-    x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
-    age = age_of_motion(shape, flight)
-    found = gap_to_shape(shape, age, x, y, radius, nx, ny)
-    if found is None:
-        return False
-    gap, wall_x, wall_y = found
-    if gap >= room or dot(nx, ny, wall_x, wall_y) >= -0.5:
-        return False
-    if is_moving(shape):
-        x, y = into_frame(shape, age, x, y)
-    return not lets_pass(shape, x, y)
 
 
 def impact_of_balls(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import fabs, inf, sqrt
 
-from carom.constants import SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
+from carom.constants import GAP_ROUNDING, SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
 from carom.geometry.instants import is_before, later, seconds_since
 from carom.geometry.path import Path, place_on
-from carom.geometry.vector import length
+from carom.geometry.vector import larger, length
 from carom.rows.ball import OF_WORLD, BallRow
 from carom.rows.flight import ASLEEP, EXIT_BALL, FLYING, HIT_BALL, NOTHING, FlightRow
 from carom.rows.state import StateRow
@@ -190,9 +190,12 @@ def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: 
     """
     flight["impacts"] += 1
     seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
-    least = (SHORT_FLIGHT if elasticity < 1.0 else SHORT_ELASTIC_FLIGHT) * float(ball["radius"])
+    radius = float(ball["radius"])
+    # Far from the origin a place is rounded by more than that part of the radius, and no shorter way is told from none.
+    none = larger(SHORT_ELASTIC_FLIGHT * radius, GAP_ROUNDING * (fabs(float(ball["x"])) + fabs(float(ball["y"]))))
+    least = larger(SHORT_FLIGHT * radius, none) if elasticity < 1.0 else none
     flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
     way = seconds * (approach + length(float(ball["vx"]), float(ball["vy"])))
-    flight["at_once"] = flight["at_once"] + 1 if way < SHORT_ELASTIC_FLIGHT * float(ball["radius"]) else 0
+    flight["at_once"] = flight["at_once"] + 1 if way < none else 0
     flight["met_time"] = flight["time"]
     flight["met_low"] = flight["low"]
