@@ -89,8 +89,7 @@ TREE_COPIES_OF_BALLS = 2
 TREE_COPIES_OF_SHAPES = 3
 
 #: Cells per shape, in the discrete mode and for flights, and cells at most, of the grid that finds the shapes near a
-#: ball: more cells, shorter lists and more memory (48 bytes a cell); flights go through cells, and read more of them.
-#: Changes the speed alone, and how many tests are counted.
+#: ball: more cells, shorter lists and more memory (48 bytes a cell). Changes the speed, and how many tests are counted.
 INDEX_CELLS_PER_SHAPE = 64
 FLIGHT_CELLS_PER_SHAPE = 16
 INDEX_CELLS_MOST = 65536
@@ -228,11 +227,9 @@ THROW_OFF = 0.5
 JOINT_TURN = 1e-9
 
 #: Fraction of a ball's radius: a ball with less room than this between a moving shape and one at rest is squeezed, and
-#: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap.
+#: the moving one goes over it. Smaller, and a ball gains more speed in the closing gap. And the cosine of the angle at
+#: which a single one stops it: smaller, and balls that would glide off aside are gone over.
 SQUEEZE_GAP = 0.05
-
-#: Cosine of the angle between where a ball is pushed and what stops it alone. Smaller, and balls that would glide off
-#: aside are gone over.
 SQUEEZE_FACING = 0.5
 
 #: Fraction of a ball's radius: a ball that the last iteration still presses deeper than this onto a shape at rest is
@@ -284,7 +281,6 @@ INDEX_SLACK = 4
 #: Box tests that take as long as filing a shape in cells: where regions would cost balls more of them, shapes that have
 #: moved are filed anew in discrete mode. Changes the speed alone.
 REGION_LOAD = 500.0
-
 #: Substeps for which it holds at most in discrete mode, in each of which rounding takes a shape from its way. More, and
 #: shapes are looked at from farther off, far from the origin.
 REGION_SUBSTEPS = 1024
