@@ -170,6 +170,14 @@ GRAZING = 1e-12
 #: gaps stay that need not.
 GAP_ROUNDING = 1e-15
 
+#: Part of a ball's speed, and of its square: what an impact with what is bent has changed by less than this is rounding,
+#: a few units in the last place.
+KEPT_ROUNDING = 2e-15
+
+#: Part of its speed that a ball must have along the normal for what rounding took from it to be given back: below, its
+#: speed and its angular momentum tell the same.
+LEAST_STEEPNESS = 1e-4
+
 #: Factor on a ball's reach, far above rounding (1e-16): a ball that falls is out of it for good when it is farther off
 #: than this against the pull.
 ESCAPE_MARGIN = 1.000001

@@ -42,6 +42,8 @@ class CourseRow(TypedDict):
     y: f8
     vx: f8
     vy: f8
+    low_vx: f8  # what its doubles cannot hold of the velocity that its last impact left it
+    low_vy: f8
     ax: f8
     ay: f8
     energy: f8  # per mass, of a ball of an island, as of its last solve

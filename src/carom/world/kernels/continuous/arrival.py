@@ -52,6 +52,8 @@ def arrive(
         flight["energy"] = energy
     flight["time"] = state["now"]
     flight["low"] = state["now_low"]
+    flight["low_vx"] = 0.0
+    flight["low_vy"] = 0.0
     if age > 0.0 and flight["kind"] == FLYING:
         note_all_passing(
             state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, from_x, from_y

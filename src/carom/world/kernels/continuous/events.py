@@ -36,6 +36,7 @@ from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import change_movers
 from carom.world.kernels.continuous.predict import file_anew, is_filed_first, predict
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.rounding import keep_rounding, way_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
 from carom.world.kernels.step.hits import cross_ball
@@ -68,7 +69,7 @@ def deal_with(
     if event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"]):
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
-    from_x, from_y, age = float(ball["x"]), float(ball["y"]), age_now(state, flight)
+    came, age = way_of(ball, flight), age_now(state, flight)
     arrive(state, balls, shapes, index, cells, members, flights, relations, i)
     if event == HIT_SHAPE:
         # What it meets it has not come into past an end, though one that slides may be a little in it.
@@ -83,7 +84,7 @@ def deal_with(
         else:
             drop_kind(state, relations, balls[high], INSIDE_BALL, low)
             cross_ball(state, hits[state["hits"]], float(state["now"]), EXIT, balls[high], balls[low])
-    elif event == HIT_SHAPE and came_past_end(ball, flight, shapes[partner], relations, from_x, from_y, age):
+    elif event == HIT_SHAPE and came_past_end(ball, flight, shapes[partner], relations, came, age):
         if not find_relation(relations, ball, PASSING, partner):
             add_relation(state, relations, ball, i, PASSING, partner)
     elif event == HIT_SHAPE:
@@ -91,6 +92,7 @@ def deal_with(
         impact_with_shape(
             state, ball, flight, i, shapes, partner, index, cells, members, hits, relations
         )  # fmt: skip
+        keep_rounding(ball, flight, shapes[partner], came)
     else:
         end_quietly(state, ball, flight, shapes, hits, relations, event, partner)
     fly_on_from(
@@ -147,11 +149,10 @@ def came_past_end(
     flight: FlightRow,
     shape: ShapeRow,
     relations: Table[RelationRow],
-    from_x: float,
-    from_y: float,
+    came: tuple[float, float, float, float, float, float],
     age: float,
 ) -> bool:
-    """True if a ball that was at `from`, `age` seconds ago, has come onto a moving shape past an end of it.
+    """True if a ball whose way began as it `came`, `age` seconds ago, has come onto a moving shape past an end of it.
 
     Its sides are met at the touch; what is found deep in it, where a slice of time begins, has come in otherwise.
     """
@@ -165,6 +166,7 @@ def came_past_end(
     gap, _nx, _ny = found
     if gap >= -depth:
         return False
+    from_x, from_y, _vx, _vy, _low_vx, _low_vy = came
     before = gap_to_shape(shape, time - age, from_x, from_y, radius, 0.0, 0.0)
     if before is None:
         return True

@@ -267,6 +267,8 @@ def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     flight["id"] = ball["id"]
     flight["time"] = state["now"]
     flight["low"] = state["now_low"]
+    flight["low_vx"] = 0.0
+    flight["low_vy"] = 0.0
     flight["kind"] = ASLEEP if ball["asleep"] != 0 else FLYING
     flight["slow_for"] = ball["still_time"]
     flight["energy"] = energy_of(state, ball)
