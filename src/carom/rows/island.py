@@ -58,6 +58,7 @@ class IslandContactRow(TypedDict):
     bias: f8  # in use
     impulse: f8
     effective_mass: f8
+    mobility: f8  # the velocity that a unit of impulse makes: one over the effective mass, or 0 with it
     residual: f8
     descent: f8  # impulses along the direction of steepest descent, and along that of the search
     search: f8

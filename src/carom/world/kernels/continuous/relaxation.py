@@ -14,7 +14,7 @@ from carom.rows.tables import Table
 
 
 def weigh_contacts(bodies: Table[BodyRow], contacts: Table[IslandContactRow], count: int, near: bool) -> None:
-    """Store the mass that an impulse of each contact moves, and 0 for those that take no part in a solve.
+    """Store the mass that an impulse of each contact moves, and its mobility; 0 for those that take no part in a solve.
 
     That are those whose sides cannot be moved, and unless `near`, those that do not last.
     """
@@ -25,6 +25,7 @@ def weigh_contacts(bodies: Table[BodyRow], contacts: Table[IslandContactRow], co
             mobility = float(bodies[contact["first"]]["inverse_mass"])
             if contact["second"] != NO_BODY:
                 mobility += float(bodies[contact["second"]]["inverse_mass"])
+        contact["mobility"] = mobility
         contact["effective_mass"] = 1.0 / mobility if mobility > 0.0 else 0.0
 
 
@@ -85,10 +86,9 @@ def worst_breach(bodies: Table[BodyRow], contacts: Table[IslandContactRow], coun
     worst, rounding = 0.0, 0.0
     for q in range(count):
         contact = contacts[q]
-        mass = float(contact["effective_mass"])
-        if mass > 0.0:
+        if contact["mobility"] > 0.0:
             speed = contact_speed(bodies, contact)
-            held = fabs(float(contact["impulse"])) / mass
+            held = fabs(float(contact["impulse"])) * float(contact["mobility"])
             broken = fabs(speed)
             if speed > 0.0 and contact["holds"] == 0:
                 broken = smaller(broken, held)

@@ -91,13 +91,12 @@ def search_loaded(
     steps += steps // 2
     if steps > SEARCH_STEPS:
         steps = SEARCH_STEPS
-    size = descend(bodies, contacts, counts, tolerance)
-    turn(bodies, contacts, counts, 0.0)
+    size, share = descend(bodies, contacts, counts, tolerance), 0.0
     for _ in range(steps):
         # Squares of velocities may overflow: sweeps, which have none, remain.
         if not 0.0 < size < inf:
             return
-        bend, scale, limit = look_along(bodies, contacts, counts)
+        bend, scale, limit = turn(bodies, contacts, counts, share)
         step, share = limit, 0.0
         # A direction that moves nothing: contacts that cannot all press go out of load along it. Where none does,
         # nothing can meet their conditions.
@@ -106,14 +105,12 @@ def search_loaded(
         elif limit == inf:
             return
         go_along(bodies, contacts, counts, step)
-        if step < limit:
-            former = size
-            size = descend(bodies, contacts, counts, tolerance)
-            share = size / former
-        else:
+        former = size
+        if step == limit:
             mark_loaded(contacts, count)
-            size = descend(bodies, contacts, counts, tolerance)
-        turn(bodies, contacts, counts, share)
+        size = descend(bodies, contacts, counts, tolerance)
+        if step < limit:
+            share = size / former
 
 
 def mark_loaded(contacts: Table[IslandContactRow], count: int) -> int:
@@ -189,9 +186,17 @@ def descend(
     return slope if worst > larger(tolerance, SEARCH_PROPORTION * outside) else 0.0
 
 
-def turn(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int], share: float) -> None:
-    """Turn the search into the direction of descent, with a share of what it was: 0 begins it anew."""
+def turn(
+    bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int], share: float
+) -> tuple[float, float, float]:
+    """Turn the search into the direction of descent, with a share of what it was: 0 begins it anew.
+
+    Returns how D bends along it, how the contacts would if each were alone, and the step's limit, at which the first of
+    the loaded contacts loses its load; it is infinite if none does.
+    """
     body_count, count = counts
+    bend, scale, limit = 0.0, 0.0, inf
+    # A sum of squares of velocities: where the direction moves nothing it is 0 to 1e-32 of the scale, not to 1e-16.
     for i in range(body_count):
         body = bodies[i]
         sx, sy = float(body["zx"]), float(body["zy"])
@@ -200,31 +205,13 @@ def turn(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tupl
             sy += share * float(body["sy"])
         body["sx"] = sx
         body["sy"] = sy
-    for q in range(count):
-        contact = contacts[q]
-        if contact["loaded"] != 0:
-            contact["search"] = float(contact["descent"]) + share * float(contact["search"])
-
-
-def look_along(
-    bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int]
-) -> tuple[float, float, float]:
-    """How D bends along the search direction, how the contacts would if each were alone, and the step's limit.
-
-    At the limit the first of the loaded contacts loses its load; it is infinite if none does.
-    """
-    body_count, count = counts
-    bend, scale, limit = 0.0, 0.0, inf
-    # A sum of squares of velocities: where the direction moves nothing it is 0 to 1e-32 of the scale, not to 1e-16.
-    for i in range(body_count):
-        body = bodies[i]
-        sx, sy = float(body["sx"]), float(body["sy"])
         bend += float(body["mass"]) * (sx * sx + sy * sy)
     for q in range(count):
         contact = contacts[q]
         if contact["loaded"] != 0:
-            along = float(contact["search"])
-            scale += along * along / float(contact["effective_mass"])
+            along = float(contact["descent"]) + share * float(contact["search"])
+            contact["search"] = along
+            scale += along * along * float(contact["mobility"])
             if along < 0.0 and contact["holds"] == 0:
                 limit = smaller(limit, -float(contact["impulse"]) / along)
     return bend, scale, limit
