@@ -25,11 +25,13 @@ class Engine(Protocol):
 
 
 class Carom:
-    """carom's discrete world, or its continuous one: one substep, one iteration, guard points at ends of segments."""
+    """carom's discrete world, or its continuous one: one substep, the setup's iterations, guard points at ends of segments."""
 
     def __init__(self, setup: Setup, detection: str = "discrete") -> None:
         each = sqrt(setup.elasticity)
-        self.world = carom.World(gravity=setup.gravity, detection=detection, substeps=1, iterations=1)
+        self.world = carom.World(
+            gravity=setup.gravity, detection=detection, substeps=1, iterations=setup.iterations
+        )  # fmt: skip
         shapes: list[carom.Shape] = [carom.Segment((ax, ay), (bx, by)) for ax, ay, bx, by in setup.segments]
         if not setup.chained:  # no ball inside of a convex line can touch its corners
             shapes += carom.guard_points(shapes)

@@ -23,6 +23,7 @@ class Setup:
     chained: bool = False  # the segments are one closed convex line, counterclockwise round the balls; engines know it
     gravity: tuple[float, float] = (0.0, 0.0)
     elasticity: float = 1.0  # of every pair that meets
+    iterations: int = 1  # at most, of a step of carom's discrete mode
 
     @property
     def balls(self) -> int:

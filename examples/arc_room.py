@@ -21,7 +21,7 @@ def polygon(x: float, sides: int) -> list[carom.Segment]:
     return [carom.Segment(corners[k - 1], corners[k]) for k in range(sides)]
 
 
-world = carom.World(detection="continuous", substeps=1)
+world = carom.World()
 arcs = [carom.Arc((0, 0), RADIUS, 0, pi), carom.Arc((0, 0), RADIUS, pi, 2 * pi)]
 assert carom.guard_points(arcs) == []  # the arcs continue each other
 for wall in (*arcs, *polygon(5, 12), *polygon(10, 64)):

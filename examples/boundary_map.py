@@ -15,7 +15,7 @@ import carom
 
 def boundary_map(outline: list[carom.Shape], hits: int = 2000) -> tuple[carom.World, carom.Hits]:
     """A world with one small ball inside an outline, and its first hits."""
-    world = carom.World(detection="continuous")
+    world = carom.World()
     world.add(*outline)
     world.add(carom.Ball((0.2, 0.1), radius=0.01, velocity=(0.6, 0.8)))
     return world, world.run(seconds=1e6, dt=10, until=hits)

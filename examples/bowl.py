@@ -15,9 +15,9 @@ from carom import draw
 from carom.study import plots
 
 _, panels = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
-world = carom.World(gravity=(0, -9.8), detection="continuous")
+world = carom.World(gravity=(0, -9.8))
 for middle, elasticity, axes in ((0, 1.0, panels[0]), (5, 0.5, panels[1])):
-    alone = carom.World(gravity=(0, -9.8), detection="continuous")
+    alone = carom.World(gravity=(0, -9.8))
     for place in (alone, world):
         place.add(carom.Arc((middle, 0), 2.0, pi, 2 * pi, elasticity=elasticity))
         place.add(carom.Ball((middle - 1.4, -0.2), radius=0.2))

@@ -15,7 +15,7 @@ from carom import draw, outlines
 WIDTH, HEIGHT, FRAME = 12.0, 14.0, 1 / 60
 FASTEST = 40.0  # units a second; a hand is not faster
 
-world = carom.World(detection="continuous", max_speed=12.0)
+world = carom.World(max_speed=12.0)
 world.add(*outlines.polyline([(0, -2), (0, HEIGHT), (WIDTH, HEIGHT), (WIDTH, -2)]))
 for line in range(4):
     for column in range(5):

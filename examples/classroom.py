@@ -17,7 +17,7 @@ from carom import draw, outlines
 
 def thrown(speed: float, angle: float, gravity: float, elasticity: float) -> carom.Recording:
     """The run of a ball that is thrown, at an angle in degrees."""
-    world = carom.World(gravity=(0, -gravity), detection="continuous")
+    world = carom.World(gravity=(0, -gravity))
     world.add(*outlines.rectangle(0, 0, 14, 7, elasticity=elasticity))
     velocity = (speed * cos(radians(angle)), speed * sin(radians(angle)))
     world.add(carom.Ball((0.2, 0.2), radius=0.2, velocity=velocity))

@@ -38,7 +38,7 @@ print(f"the belt is {length:.3f} long")
 # %%
 # Three balls in that room, without gravity or loss.
 
-world = carom.World(detection="continuous", substeps=1)
+world = carom.World()
 for part in belt:
     world.add(part)
 for x, y in ((0, 0), (3, 1.5), (6, 0.5)):

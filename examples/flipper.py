@@ -15,7 +15,7 @@ TURN, FALL = 12.0, 2.0  # radians a second, lengths a second
 
 def shot(place: float) -> float:
     """How fast a ball leaves that is met so far from the pivot, the flipper being level then."""
-    world = carom.World(detection="continuous")
+    world = carom.World()
     flipper = carom.Segment((0, 0), (3, 0), motion="kinematic", pivot=(0, 0), turn_limits=(-0.5, 0.5))
     flipper.rotate((0, 0), -TURN * 0.02)  # level after two hundredths of a second
     world.add(flipper)

@@ -16,7 +16,7 @@ import carom
 
 def impacts(digits: int) -> carom.Recording:
     """The run in which the heavy ball comes, and goes."""
-    world = carom.World(detection="continuous", substeps=1)
+    world = carom.World()
     world.add(carom.Segment((0, -1), (0, 1), name="wall"))
     world.add(carom.Ball((3, 0), radius=0.2))
     world.add(carom.Ball((6, 0), radius=1.0, velocity=(-1, 0), mass=100.0**digits))

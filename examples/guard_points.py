@@ -11,7 +11,7 @@ from pathlib import Path
 import carom
 from carom import draw
 
-world = carom.World(gravity=(0, -9.8), detection="continuous")
+world = carom.World(gravity=(0, -9.8))
 bare = carom.Segment((-3, 0), (0, 0), elasticity=0.6, name="bare shelf")
 guarded = carom.Segment((3, 0), (6, 0), elasticity=0.6, name="guarded shelf")
 for shape in (bare, guarded, *carom.guard_points([guarded])):

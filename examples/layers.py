@@ -13,7 +13,7 @@ import carom
 from carom import draw
 from carom.draw import Layer
 
-world = carom.World(gravity=(0, -6), detection="continuous")
+world = carom.World(gravity=(0, -6))
 dome = carom.Arc((4, 3), 4.0, 0, pi, name="dome")
 walls = [carom.Segment((0, 3), (0, 0)), carom.Segment((8, 3), (8, 0)), carom.Segment((0, 0), (8, 0))]
 ramp = carom.Segment((0, 2.6), (2.4, 1.6), name="ramp")

@@ -13,7 +13,7 @@ import numpy as np
 import carom
 from carom import draw
 
-world = carom.World(detection="continuous", friction=0.6)
+world = carom.World(friction=0.6)
 corners = [(0, 0), (8, 0), (8, 4), (0, 4)]
 for k in range(4):
     world.add(carom.Segment(corners[k - 1], corners[k], elasticity=0.8))

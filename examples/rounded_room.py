@@ -12,7 +12,7 @@ from pathlib import Path
 import carom
 from carom import draw, outlines
 
-world = carom.World(detection="continuous")
+world = carom.World()
 room = outlines.rectangle(-6, -3.5, 6, 3.5, corner=1.5, name="room")
 ellipse = outlines.fit(lambda t: (2.2 * cos(2 * pi * t), 1.2 * sin(2 * pi * t)), 1e-3, name="ellipse")
 world.add(*room, *ellipse)

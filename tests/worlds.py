@@ -18,13 +18,13 @@ Member = carom.Shape | carom.Compound | carom.Group | carom.Ball
 
 
 def world_of(*members: Member, **settings: Any) -> carom.World:
-    """A world that holds shapes, compounds and balls."""
-    world = carom.World(**settings)
+    """A world that holds shapes, compounds and balls, of the discrete mode where nothing else is said."""
+    world = carom.World(**({"detection": "discrete"} | settings))
     world.add(*members)
     return world
 
 
-#: A world of the continuous mode that holds them.
+#: The same of the continuous mode.
 continuous_world = partial(world_of, detection="continuous")
 
 
@@ -65,6 +65,7 @@ def crowded(balls: int = 12, seed: int = 0, **settings: Any) -> carom.World:
     A gap in the upper wall lets balls stray. Nothing in it depends on anything but the arguments.
     """
     chosen: dict[str, Any] = {
+        "detection": "discrete",
         "gravity": (0.5, -4.0),
         "substeps": 2,
         "iterations": 3,
@@ -132,7 +133,7 @@ def add_furniture(world: carom.World) -> None:
 
 def quiet() -> carom.World:
     """A world without gravity that nothing has happened in: a wall, a sensor, and two balls that go towards them."""
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(carom.Segment((-5.0, 0.0), (5.0, 0.0), name="wall"))
     world.add(carom.Circle((0.0, 5.0), 1.0, sensor=True, solid=True, name="eye"))
     world.add(carom.Ball((-2.0, 2.0), radius=0.5, velocity=(0.0, -3.0), name="down"))

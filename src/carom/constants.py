@@ -98,8 +98,7 @@ INDEX_CELLS_MOST = 65536
 #: Changes the speed alone, and the number of box tests.
 FEW_BALLS = 64
 
-#: Balls up to this many are asked whether they are near before a shape that turns is put to where it is. Changes the
-#: speed alone.
+#: Balls up to this many are asked if they are near before a shape that turns is put in place. Changes the speed alone.
 FEW_TO_ASK = 8
 
 #: Balls up to this many are moved, and meet shapes, one after the other. Of more, those that may meet a shape are
@@ -107,12 +106,10 @@ FEW_TO_ASK = 8
 FEW_TO_SORT = 8
 
 #: Times that a ball which shapes push out of its cell goes on with those near its new place, in one iteration; then the
-#: next iteration does. Fewer, and broad phases may differ in which of two shapes pushes a ball first; more, and a world
-#: needs more room for hits.
+#: next iteration does. Fewer, and broad phases may differ in which shape pushes first; more, and hits need more room.
 NEW_CELLS = 4
 
-#: Parts of a cell of the grid of shapes along each axis, 49 in all: whether any shape is in reach of one is a bit of a
-#: number. Changes the speed alone.
+#: Parts of a cell of the grid of shapes along each axis, a bit each for whether a shape is in reach. Speed alone.
 CELL_PARTS = 7
 
 #: Static shapes up to this many are asked for a rectangle free of all of them. Changes the speed alone.
@@ -129,8 +126,7 @@ INDEX_MARGIN = 1.000001
 #: off, so a smaller one puts (-1, 0) outside of an arc from 0 to pi.
 ROUNDING = 4.5e-16
 
-#: A sum of squares within these has no term that was lost to underflow, and none that overflowed; outside, vectors are
-#: scaled before they are squared.
+#: Within these a sum of squares has lost no term to underflow or overflow; outside, vectors are scaled before.
 LEAST_SQUARE = 1e-280
 GREATEST_SQUARE = 1e300
 
@@ -170,16 +166,13 @@ GRAZING = 1e-12
 #: gaps stay that need not.
 GAP_ROUNDING = 1e-15
 
-#: Part of a ball's speed, and of its square: what an impact with what is bent has changed by less than this is rounding,
-#: a few units in the last place.
+#: Part of a ball's speed, and of its square: an impact that changes it by less has rounded it. A few last places.
 KEPT_ROUNDING = 2e-15
 
-#: Part of its speed that a ball must have along the normal for what rounding took from it to be given back: below, its
-#: speed and its angular momentum tell the same.
+#: Part of a ball's speed: if less is along the normal, its speed and its angular momentum say the same.
 LEAST_STEEPNESS = 1e-4
 
-#: Factor on a ball's reach, far above rounding (1e-16): a ball that falls is out of it for good when it is farther off
-#: than this against the pull.
+#: Factor on a ball's reach, far above rounding: a ball that falls is out of it for good when farther off than this.
 ESCAPE_MARGIN = 1.000001
 
 #: Fraction of a ball's radius: how deep a ball may dip into a turning shape unseen, and get clear again by itself. What
@@ -329,8 +322,7 @@ STILL_SHARE = 1e-12
 #: Seconds: the instant of what never was. Far before any world's beginning, and small enough to reckon with.
 NEVER = -1e300
 
-#: Part of the speed at which a ball meets a shape: at this it leaves one that takes all of its approach and does not
-#: hold it. A few units in the last place.
+#: Part of the speed at which a ball meets what takes all of its approach and does not hold it: at this it leaves.
 LEAST_PART = 1e-15
 
 #: Part of a ball's speed: what it has off a shape that holds it is rounding below this.

@@ -23,7 +23,7 @@ def momentum(world: World) -> np.ndarray:
 def test_a_pair_keeps_its_momentum_and_never_gains_energy(
     v1: Vector, v2: Vector, m1: float, m2: float, n: Vector, e: float, deep: float
 ) -> None:
-    world = World(substeps=1, iterations=1, rest_speed=0.5)
+    world = World(detection="discrete", substeps=1, iterations=1, rest_speed=0.5)
     reach = 3.0 * (1.0 - deep)
     world.add(Ball((1, -2), 1, v1, m1, elasticity=min(e, 1.0)))
     world.add(Ball((1 + reach * n[0], -2 + reach * n[1]), 2, v2, m2))
@@ -38,7 +38,7 @@ def test_a_pair_keeps_its_momentum_and_never_gains_energy(
 
 @given(masses, masses, unit_vectors, elasticities)
 def test_the_common_centre_of_mass_does_not_move(m1: float, m2: float, n: Vector, e: float) -> None:
-    world = World(substeps=1, iterations=1)
+    world = World(detection="discrete", substeps=1, iterations=1)
     world.add(Ball((0, 0), 1, mass=m1))
     world.add(Ball((1.5 * n[0], 1.5 * n[1]), 1, mass=m2, elasticity=e))
     before = (world.balls.position * world.balls.mass[:, None]).sum(axis=0)
@@ -53,7 +53,7 @@ def test_the_common_centre_of_mass_does_not_move(m1: float, m2: float, n: Vector
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_crowd_keeps_its_momentum_and_energy(phase: str) -> None:
     rng = np.random.default_rng(11)
-    world = World(broad_phase=phase)
+    world = World(detection="discrete", broad_phase=phase)
     grid = np.stack(np.meshgrid(np.arange(7.0), np.arange(7.0)), -1).reshape(-1, 2)
     world.add_balls(grid, rng.normal(0, 3, (49, 2)), radius=rng.uniform(0.2, 0.5, 49), mass=rng.uniform(0.1, 9, 49))
     before, total = momentum(world), energy(world)
@@ -65,7 +65,7 @@ def test_a_crowd_keeps_its_momentum_and_energy(phase: str) -> None:
 
 def test_an_inelastic_crowd_loses_energy_and_no_momentum() -> None:
     rng = np.random.default_rng(12)
-    world = World()
+    world = World(detection="discrete")
     grid = np.stack(np.meshgrid(np.arange(7.0), np.arange(7.0)), -1).reshape(-1, 2)
     world.add_balls(grid, rng.normal(0, 3, (49, 2)), radius=0.45, mass=rng.uniform(0.1, 9, 49), elasticity=0.8)
     before, last = momentum(world), energy(world)
@@ -78,7 +78,7 @@ def test_an_inelastic_crowd_loses_energy_and_no_momentum() -> None:
 
 def test_every_hit_of_a_crowd_gives_what_it_says() -> None:
     rng = np.random.default_rng(13)
-    world = World(substeps=1, iterations=1)
+    world = World(detection="discrete", substeps=1, iterations=1)
     for _ in range(40):
         world.add(Ball(tuple(rng.uniform(-3, 3, 2)), 0.4, tuple(rng.normal(0, 3, 2)), rng.uniform(0.5, 3)))
     expected = world.balls.velocity.copy() * world.balls.mass[:, None]
@@ -90,7 +90,7 @@ def test_every_hit_of_a_crowd_gives_what_it_says() -> None:
 
 
 def test_newton_s_cradle_passes_a_swing_on_whole() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     balls = [world.add(Ball((2 * k, 0), radius=1)) for k in range(5)]
     striker = world.add(Ball((-5, 0), radius=1, velocity=(2, 0)))
     world.run(3)
@@ -107,7 +107,7 @@ def test_the_gas_keeps_its_energy() -> None:
 
 
 def test_a_light_ball_on_a_heavy_one_is_thrown_up_threefold() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((-9, 0), (9, 0)))
     world.add(Ball((0, 1), radius=1, velocity=(0, -1), mass=1e9))
     light = world.add(Ball((0, 2.5), radius=0.5, velocity=(0, -1)))

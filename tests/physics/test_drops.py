@@ -33,7 +33,7 @@ def bounces(world: World, dt: float, count: int) -> int:
 @pytest.mark.parametrize(("substeps", "dt"), [(1, 1 / 60), (4, 1 / 60), (7, 0.0217), (1, 0.005)])
 @pytest.mark.parametrize("motion", ["static", "kinematic"])
 def test_an_elastic_ball_keeps_its_apex_over_a_thousand_bounces(substeps: int, dt: float, motion: str) -> None:
-    world = World(gravity=(0, -9.81), substeps=substeps)
+    world = World(detection="discrete", gravity=(0, -9.81), substeps=substeps)
     world.add(Segment((-5, 0), (5, 0), motion=motion))
     ball = world.add(Ball((0, 3.21), RADIUS))
     before = apex(world, ball)
@@ -45,7 +45,7 @@ def test_an_elastic_ball_keeps_its_apex_over_a_thousand_bounces(substeps: int, d
 @pytest.mark.parametrize("turn", [0.3, 2.0, -pi / 2, pi])
 def test_gravity_in_any_direction_is_as_good(turn: float) -> None:
     gx, gy = 9.81 * sin(turn), -9.81 * cos(turn)
-    world = World(gravity=(gx, gy), substeps=2)
+    world = World(detection="discrete", gravity=(gx, gy), substeps=2)
     world.add(Segment((5 * cos(turn), 5 * sin(turn)), (-5 * cos(turn), -5 * sin(turn))))
     ball = world.add(Ball((-2 * sin(turn), 2 * cos(turn)), RADIUS))
     before = apex(world, ball)
@@ -56,7 +56,7 @@ def test_gravity_in_any_direction_is_as_good(turn: float) -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("tilt", [0.05, -0.4, 1.2])
 def test_a_tilted_floor_keeps_the_energy_of_a_ball_that_bounces_down_it(tilt: float) -> None:
-    world = World(gravity=(0, -9.81), substeps=3)
+    world = World(detection="discrete", gravity=(0, -9.81), substeps=3)
     far = 1e8
     world.add(Segment((-far * cos(tilt), -far * sin(tilt)), (far * cos(tilt), far * sin(tilt))))
     ball = world.add(Ball((0, 3), RADIUS, velocity=(0.5, 0)))
@@ -69,7 +69,7 @@ def test_a_tilted_floor_keeps_the_energy_of_a_ball_that_bounces_down_it(tilt: fl
 @pytest.mark.compiled
 @pytest.mark.parametrize("shape", [Circle((0, 0), 4), Arc((0, 0), 4, pi - 0.2, 0.2), Circle((0, -9), 3, solid=True)])
 def test_a_curved_floor_keeps_the_energy_too(shape: Shape) -> None:
-    world = World(gravity=(0, -9.81), substeps=2)
+    world = World(detection="discrete", gravity=(0, -9.81), substeps=2)
     world.add(shape)
     ball = world.add(Ball((0.7, -1.3), RADIUS))
     before = apex(world, ball)
@@ -81,7 +81,7 @@ def test_a_curved_floor_keeps_the_energy_too(shape: Shape) -> None:
 
 def first_rebound(floor: Shape | Compound, e: float, dt: float, substeps: int, **settings: object) -> float:
     """The height to which a ball rises after its first bounce, as a share of that from which it fell."""
-    world = World(gravity=(0, -9.81), rest_speed=0, substeps=substeps, **settings)  # type: ignore[arg-type]
+    world = World(detection="discrete", gravity=(0, -9.81), rest_speed=0, substeps=substeps, **settings)  # type: ignore[arg-type]
     world.add(floor)
     ball = world.add(Ball((0.125, 4), RADIUS, elasticity=e))
     before = apex(world, ball) - RADIUS
@@ -113,7 +113,7 @@ def test_an_elasticity_of_the_floor_counts_as_well(e: float) -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("e", [0.5, 0.8, 0.95])
 def test_every_later_bounce_takes_the_same_share(e: float) -> None:
-    world = World(gravity=(0, -9.81), rest_speed=0)
+    world = World(detection="discrete", gravity=(0, -9.81), rest_speed=0)
     world.add(Segment((-5, 0), (5, 0)))
     ball = world.add(Ball((0, 4), RADIUS, elasticity=e))
     height = apex(world, ball) - RADIUS
@@ -135,7 +135,7 @@ def test_a_kick_is_added_to_the_speed_of_the_rebound(kick: float) -> None:
 
 
 def test_a_platform_that_travels_is_met_in_its_own_frame() -> None:
-    world = World(gravity=(0, -9.81), rest_speed=0)
+    world = World(detection="discrete", gravity=(0, -9.81), rest_speed=0)
     world.add(Segment((-5, 0), (5, 0), motion="kinematic", velocity=(3, 0)))
     ball = world.add(Ball((0, 4), RADIUS, velocity=(3, 0), elasticity=0.8))
     while not len(world.step(1 / 240)):
@@ -149,7 +149,7 @@ def test_a_rising_platform_throws_by_the_speed_of_both_and_loses_none_of_it() ->
     # In the platform's frame the ball falls from rest relative to the ground, and gravity is the same.
     ends = []
     for speed in (0.0, 2.0):
-        world = World(gravity=(0, -9.81), rest_speed=0)
+        world = World(detection="discrete", gravity=(0, -9.81), rest_speed=0)
         world.add(Segment((-5, 0), (5, 0), motion="kinematic", velocity=(0, speed)))
         ball = world.add(Ball((0, 4), RADIUS, velocity=(0, speed), elasticity=0.8))
         world.run(1.2, dt=1 / 240)
@@ -160,7 +160,7 @@ def test_a_rising_platform_throws_by_the_speed_of_both_and_loses_none_of_it() ->
 @pytest.mark.compiled
 @pytest.mark.parametrize("shape", [Point((0, 0)), Circle((0, -1), 1, solid=True)])
 def test_a_post_keeps_the_apex_of_a_ball_balanced_on_it(shape: Shape) -> None:
-    world = World(gravity=(0, -9.81))
+    world = World(detection="discrete", gravity=(0, -9.81))
     world.add(shape)
     ball = world.add(Ball((0, 3), RADIUS))
     before = apex(world, ball)
@@ -169,7 +169,7 @@ def test_a_post_keeps_the_apex_of_a_ball_balanced_on_it(shape: Shape) -> None:
 
 
 def test_a_ball_comes_to_rest_and_stays_where_it_is() -> None:
-    world = World(gravity=(0, -9.81))
+    world = World(detection="discrete", gravity=(0, -9.81))
     world.add(Segment((-5, 0), (5, 0)))
     ball = world.add(Ball((0, 3), RADIUS, elasticity=0.6))
     world.run(8)

@@ -52,7 +52,7 @@ def bowl(pieces: int) -> list[Shape]:
 
 def motion(path: list[Shape], ball: Ball, seconds: float, **settings: object) -> np.ndarray:
     """Where a ball is, and how fast, at every step along a guarded path."""
-    world = World(**settings)  # type: ignore[arg-type]
+    world = World(detection="discrete", **settings)  # type: ignore[arg-type]
     for shape in [*guard_points(path), *path]:
         world.add(shape)
     world.add(ball)
@@ -98,7 +98,7 @@ def test_a_coarser_path_is_no_worse() -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("speed", [1.0, 8.0, 90.0])
 def test_a_ball_that_hops_along_a_path_of_pieces_never_falls_through(speed: float) -> None:
-    world = World(gravity=(0, -9.81), substeps=1)
+    world = World(detection="discrete", gravity=(0, -9.81), substeps=1)
     for shape in cut_segment((-500, 0), (500, 0), 1000):
         shape.elasticity = 1.0
         world.add(shape)
@@ -127,7 +127,7 @@ def test_a_smooth_path_needs_guards_at_its_two_ends_alone() -> None:
 
 def test_a_corner_is_met_by_its_point() -> None:
     corner = [Segment((-5, -3), (0, 0)), Segment((0, 0), (5, -3))]
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     guards = guard_points(corner)
     for shape in [*corner, *guards]:
         world.add(shape)
@@ -139,7 +139,7 @@ def test_a_corner_is_met_by_its_point() -> None:
 
 def test_a_ball_rolls_off_the_end_of_a_path_round_its_point() -> None:
     shelf = Segment((-5, 0), (0, 0), elasticity=0.5)
-    world = World(gravity=(0, -9.81))
+    world = World(detection="discrete", gravity=(0, -9.81))
     for shape in [shelf, *guard_points([shelf])]:
         world.add(shape)
     ball = world.add(Ball((-1, 0.5), radius=0.5, velocity=(0.2, 0), elasticity=0.5))

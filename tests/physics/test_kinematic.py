@@ -27,7 +27,7 @@ def walls(options: Options) -> list[Shape]:
 
 def run(build: Callable[[World], object], **settings: object) -> tuple[bytes, bytes, bytes]:
     """All bits of a few balls after four seconds in a world, and of their hits but for the ids."""
-    world = World(gravity=(0.1, -9.81), **settings)  # type: ignore[arg-type]
+    world = World(detection="discrete", gravity=(0.1, -9.81), **settings)  # type: ignore[arg-type]
     rng = np.random.default_rng(4)
     for _ in range(6):
         world.add(
@@ -70,7 +70,7 @@ def test_a_compound_at_rest_is_a_static_shape_to_the_last_bit() -> None:
 
 def test_a_flipper_is_static_again_once_it_has_turned_back() -> None:
     flipper = Segment((0.1, 0.3), (4.7, -0.9), motion="kinematic", pivot=(0.1, 0.3), turn_limits=(-0.5, 0.5))
-    world = World()
+    world = World(detection="discrete")
     world.add(flipper)
     before = flipper.p0, flipper.p1, flipper.t0, flipper.aabb
     flipper.angular_velocity = 3.0
@@ -87,7 +87,7 @@ def test_a_flipper_is_static_again_once_it_has_turned_back() -> None:
 @pytest.mark.parametrize(("spin", "stop"), [(7.3, 0.61), (-7.3, -0.37)])
 @pytest.mark.parametrize("substeps", [1, 4, 9])
 def test_a_stop_is_met_exactly_within_a_substep(spin: float, stop: float, substeps: int) -> None:
-    world = World(substeps=substeps)
+    world = World(detection="discrete", substeps=substeps)
     flipper = world.add(
         Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0), angular_velocity=spin, turn_limits=(-0.37, 0.61))
     )
@@ -105,7 +105,7 @@ def test_a_stop_is_met_exactly_within_a_substep(spin: float, stop: float, subste
 
 
 def test_a_flipper_at_its_stop_is_at_rest_for_what_it_meets() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((0, 0), (9, 0), motion="kinematic", pivot=(0, 0), angular_velocity=5.0, turn_limits=(0, 0)))
     ball = world.add(Ball((5, 1), radius=1, velocity=(0, -2)))
     world.step(0.01)
@@ -113,7 +113,7 @@ def test_a_flipper_at_its_stop_is_at_rest_for_what_it_meets() -> None:
 
 
 def test_the_substep_that_ends_at_a_stop_still_strikes() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((0, 0), (9, 0), motion="kinematic", pivot=(0, 0), angular_velocity=5.0, turn_limits=(0, 1e-3)))
     ball = world.add(Ball((5, 1), radius=1))
     world.step(0.01)
@@ -126,7 +126,7 @@ def test_the_substep_that_ends_at_a_stop_still_strikes() -> None:
 
 @pytest.mark.compiled
 def test_a_million_small_turns_accumulate_no_drift() -> None:
-    world = World(substeps=1000)
+    world = World(detection="discrete", substeps=1000)
     hand = world.add(Segment((1, 2), (4, 7), motion="kinematic", pivot=(-3, 1), angular_velocity=2 * pi))
     world.run(100, dt=1.0)
     turn = hand.orientation
@@ -140,7 +140,7 @@ def test_a_million_small_turns_accumulate_no_drift() -> None:
 
 
 def test_velocity_moves_the_pivot_and_the_shape_with_it() -> None:
-    world = World(substeps=8)
+    world = World(detection="discrete", substeps=8)
     paddle = world.add(Arc((1, 1), 2, 0, pi, motion="kinematic", pivot=(5, 0), velocity=(0.5, -0.25)))
     world.step(4.0)
     assert paddle.position == (3, 0)
@@ -150,14 +150,14 @@ def test_velocity_moves_the_pivot_and_the_shape_with_it() -> None:
 
 
 def test_a_shape_turns_about_a_pivot_that_travels() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     post = world.add(Point((2, 0), motion="kinematic", pivot=(0, 0), angular_velocity=pi / 2, velocity=(1, 1)))
     world.step(1.0)
     assert post.position == (pytest.approx(1), pytest.approx(3))
 
 
 def test_a_compound_s_parts_turn_and_strike_as_one() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     blade = Segment((1, 0), (9, 0))
     tip = Point((9, 0))
     world.add(Compound([blade, tip], pivot=(0, 0), angular_velocity=1.0))
@@ -169,7 +169,7 @@ def test_a_compound_s_parts_turn_and_strike_as_one() -> None:
 
 
 def test_a_switch_stops_a_turn_at_once() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     mill = world.add(Segment((-3, 0), (3, 0), motion="kinematic", angular_velocity=2.0))
     world.step(0.5)
     mill.rotating = False

@@ -104,7 +104,7 @@ def test_on_its_way_it_is_in_snapshots_copies_and_pickles(kind: str, detection: 
     world.add(shape)
     shape.move_to((3, 0.1), 0.1, orientation=0.7)
     world.run(0.05)
-    restored = World()
+    restored = World(detection="discrete")
     restored.restore(world.snapshot())
     others = [restored, copy.deepcopy(world), pickle.loads(pickle.dumps(world))]
     world.run(0.1)
@@ -152,7 +152,7 @@ def test_what_else_is_set_lets_it_rest_where_it_is(kind: str) -> None:
         lambda shape: setattr(shape, "velocity", (0, 0)),
     ]
     for change in changes:
-        world = World()
+        world = World(detection="discrete")
         shape = MAKERS[kind]()
         world.add(shape)
         shape.move_to((3, 4), 0.1, orientation=0.5)
@@ -164,7 +164,7 @@ def test_what_else_is_set_lets_it_rest_where_it_is(kind: str) -> None:
 
 
 def test_a_velocity_that_is_set_on_the_way_is_all_that_moves_it() -> None:
-    world = World()
+    world = World(detection="discrete")
     bat = world.add(Circle((0, 0), 1, motion="kinematic"))
     bat.move_to((3, 4), 0.1, orientation=2.0)
     bat.velocity = 1, 0
@@ -174,7 +174,7 @@ def test_a_velocity_that_is_set_on_the_way_is_all_that_moves_it() -> None:
 
 
 def test_a_part_that_is_added_on_the_way_comes_along() -> None:
-    world = World()
+    world = World(detection="discrete")
     both = Compound([Circle((0, 0), 1)], (0, 0))
     world.add(both)
     both.move_to((3, 4), 0.1, orientation=pi / 2)

@@ -74,7 +74,7 @@ def test_a_wall_of_bricks_reflects_as_one_wall_does(
     widths: list[float], angle: float, aim: float, bounce: tuple[float, float, float, float, int], compound: bool
 ) -> None:
     elasticity, speed, slant, radius, substeps = bounce
-    world = World(substeps=substeps, rest_speed=0)
+    world = World(detection="discrete", substeps=substeps, rest_speed=0)
     for brick in bricks(widths, angle, 8.0, elasticity):
         world.add(Compound(brick, (0, 0)) if compound else brick[0])
         if not compound:
@@ -95,7 +95,7 @@ def test_a_wall_of_arcs_reflects_as_one_arc_does(
     cut: list[Shape] = [Arc((0, 0), size, a, b, elasticity=elasticity) for a, b in pairwise(edges)]
     after = []
     for shapes in (guarded(whole), guarded(cut)):
-        world = World(substeps=substeps, rest_speed=0)
+        world = World(detection="discrete", substeps=substeps, rest_speed=0)
         world.add(*shapes)
         towards = angle + 0.5 + share
         direction = towards + slant + (0 if inside else pi)
@@ -111,7 +111,7 @@ def test_a_wall_of_arcs_reflects_as_one_arc_does(
 @given(numbers(-0.5, 0.5), bounces)
 def test_a_point_anywhere_on_a_wall_turns_no_ball(aim: float, bounce: tuple[float, float, float, float, int]) -> None:
     elasticity, speed, slant, radius, substeps = bounce
-    world = World(substeps=substeps, rest_speed=0)
+    world = World(detection="discrete", substeps=substeps, rest_speed=0)
     world.add(Segment((-99, 0), (99, 0), elasticity=elasticity), Point((0, 0)), Point((0.3 * radius, 1e-4 * radius)))
     ball = thrown(world, radius, speed, slant, 0.0, aim * radius)
     expected = reflected(ball.velocity, 0.0, elasticity)
@@ -119,7 +119,7 @@ def test_a_point_anywhere_on_a_wall_turns_no_ball(aim: float, bounce: tuple[floa
 
 
 def test_the_post_of_a_flipper_turns_no_ball_that_the_flipper_meets() -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Point((0, 0)), Segment((0, 0), (4, 0), motion="kinematic", pivot=(0, 0)))
     ball = world.add(Ball((0.05, 1.0), 0.2, velocity=(0, -10)))
     assert first_bounce(world, ball, 1) == (0.0, 10.0)
@@ -127,7 +127,7 @@ def test_the_post_of_a_flipper_turns_no_ball_that_the_flipper_meets() -> None:
 
 @pytest.mark.parametrize("wall", [{"sensor": True}, {"can_collide": False}, {"layer": 2, "collides_with": 2}])
 def test_a_wall_that_the_ball_does_not_meet_leaves_it_to_the_point(wall: dict[str, int]) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Point((0, 0)), Segment((0, 0), (4, 0), **wall))  # type: ignore[arg-type]
     ball = world.add(Ball((0.1, 0.25), 0.2, velocity=(0, -6)))
     world.step(1 / 60)
@@ -136,7 +136,7 @@ def test_a_wall_that_the_ball_does_not_meet_leaves_it_to_the_point(wall: dict[st
 
 def test_so_does_a_gate_that_lets_the_ball_by() -> None:
     for height, sideways in ((0.25, False), (-0.25, True)):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         world.add(Point((0, 0)), Gate((0, 0), (4, 0), direction=(0, 1)))
         ball = world.add(Ball((0.1, height), 0.2, velocity=(0, -24 * height)))
         world.step(1 / 60)
@@ -144,7 +144,7 @@ def test_so_does_a_gate_that_lets_the_ball_by() -> None:
 
 
 def test_a_ball_that_passes_a_wall_still_meets_the_point_on_it() -> None:
-    world = World(substeps=8)
+    world = World(detection="discrete", substeps=8)
     world.add(Segment((0, 0), (4, 0)))
     ball = world.add(Ball((-0.3, 0.05), 0.2, velocity=(6, 0)))
     world.run(0.1)
@@ -158,7 +158,7 @@ def test_a_ball_that_passes_a_wall_still_meets_the_point_on_it() -> None:
 def test_corners_and_cusps_are_met_by_their_points(open_by: float, aim: float, angle: float, substeps: int) -> None:
     edges = [turned((-4 * cos(half), 4 * sin(half)), angle) for half in (open_by / 2, -open_by / 2)]
     walls: list[Shape] = [Segment((0, 0), edge) for edge in edges]
-    world = World(substeps=substeps)
+    world = World(detection="discrete", substeps=substeps)
     world.add(*guarded(walls))
     ball = world.add(Ball(turned((1, 0.2 * aim), angle), 0.25, velocity=turned((-20, 0), angle)))
     world.run(0.2)
@@ -239,7 +239,7 @@ def test_a_ball_rolls_over_a_map_whose_corners_were_rounded(
 def test_bricks_at_default_substeps_do_not_turn_the_ball_of_the_report() -> None:
     for aim in (-0.09, -0.03, 0.0, 0.05, 0.1):
         for slant in (-0.6, 0.0, 0.3):
-            world = World()
+            world = World(detection="discrete")
             for brick in bricks([1.0], 0.0, 1.0, 1.0):
                 world.add(*brick)
             ball = world.add(

@@ -94,7 +94,13 @@ def random_world(seed: int) -> tuple[World, TwinWorld]:
         "max_speed": random.choice((None, None, 6.0)),
     }
     total = random.random() < 0.3
-    world = World(broad_phase="brute", substeps=SUBSTEPS, restitution="total" if total else "normal", **settings)
+    world = World(
+        detection="discrete",
+        broad_phase="brute",
+        substeps=SUBSTEPS,
+        restitution="total" if total else "normal",
+        **settings,
+    )
     twin = TwinWorld([], [], total=total, **settings)
     for shape, double in shapes:
         world.add(shape)

@@ -47,7 +47,7 @@ def recorded(name: str) -> carom.Recording:
 @cache
 def parlour() -> carom.Recording:
     """A recording of a room with one of everything that a layer shows, at a moment in which much has just happened."""
-    world = carom.World(gravity=(0.0, -6.0), substeps=2)
+    world = carom.World(detection="discrete", gravity=(0.0, -6.0), substeps=2)
     corners = [(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0)]
     walls = [carom.Segment(corners[k - 1], corners[k], elasticity=0.9, name="wall") for k in range(4)]
     for shape in [*walls, *carom.guard_points(walls)]:

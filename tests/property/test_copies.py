@@ -280,7 +280,7 @@ def test_a_shallow_copy_of_a_world_has_objects_of_its_own_and_shares_what_users_
 
 
 def test_the_hits_of_a_copied_world_know_what_has_left_it() -> None:
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(carom.Segment((-5, 0), (5, 0)))
     world.add_balls([(0, 0.9)], (0, -1), 1.0)
     hits = world.step(0.1)
@@ -292,7 +292,7 @@ def test_the_hits_of_a_copied_world_know_what_has_left_it() -> None:
 
 
 def test_balls_that_nobody_asked_for_are_not_made_by_a_copy() -> None:
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add_balls(np.zeros((1000, 2)), radius=1.0)
     twin = copy.deepcopy(world)
     assert (len(twin.balls), len(world._objects), len(twin._objects)) == (1000, 0, 0)

@@ -214,7 +214,7 @@ def test_the_broad_phase_of_the_world_changes_no_answer(parts: Any, query: Any) 
 
 def large_world(rng: np.random.Generator, count: int) -> World:
     """A world of shapes of every kind and size, and of balls."""
-    world = World()
+    world = World(detection="discrete")
     for k in range(count):
         (x, y), angle, size = rng.uniform(-100, 100, 2), rng.uniform(0.1, 6), rng.uniform(1, 30 if k % 5 == 0 else 8)
         world.add(Segment((x, y), (x + size * cos(angle), y + size * sin(angle)), elasticity=0.9))

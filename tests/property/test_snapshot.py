@@ -119,7 +119,7 @@ def test_no_snapshot_runs_code(world: carom.World) -> None:
 def test_what_is_crafted_by_chance_is_refused_or_is_a_world_that_goes_on(world: carom.World, part: int) -> None:
     good = world.snapshot()
     random = Random(part)
-    twin = carom.World()
+    twin = carom.World(detection="discrete")
     accepted = 0
     for _ in range(60):
         parts = list(taken_apart(good))

@@ -106,7 +106,7 @@ def assert_sound(world: World, hits: np.ndarray) -> None:
 @pytest.mark.slow
 @given(st.lists(shapes(), max_size=6), st.lists(balls(), min_size=1, max_size=6), settings_of_worlds)
 def test_a_heap_of_anything_stays_finite(things: list[Shape], movers: list[Ball], settings: dict[str, Any]) -> None:
-    world = World(**settings)
+    world = World(detection="discrete", **settings)
     for thing in [*things, *movers]:
         world.add(thing)
     assert_sound(world, world.run(0.2, dt=0.02))
@@ -114,7 +114,7 @@ def test_a_heap_of_anything_stays_finite(things: list[Shape], movers: list[Ball]
 
 @given(st.data(), st.sampled_from((1e-150, 1e-30, 1e30, 1e100)))
 def test_sizes_far_from_one_are_as_good(data: st.DataObject, scale: float) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     for thing in data.draw(st.lists(shapes(scale), max_size=4)) + data.draw(st.lists(balls(scale), max_size=4)):
         world.add(thing)
     assert_sound(world, world.run(0.1, dt=0.02))
@@ -123,7 +123,7 @@ def test_sizes_far_from_one_are_as_good(data: st.DataObject, scale: float) -> No
 @pytest.mark.compiled
 @given(st.lists(places, min_size=2, max_size=12), sizes, st.sampled_from(("brute", "grid", "quadtree")))
 def test_balls_at_few_places_part_in_the_end(where: list[tuple[float, float]], radius: float, phase: str) -> None:
-    world = World(broad_phase=phase, iterations=50)
+    world = World(detection="discrete", broad_phase=phase, iterations=50)
     world.add_balls(where, radius=radius)
     assert_sound(world, world.run(1, dt=0.1))
     gaps = world.balls.position[:, None] - world.balls.position[None, :]
@@ -134,7 +134,7 @@ def test_balls_at_few_places_part_in_the_end(where: list[tuple[float, float]], r
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 @pytest.mark.parametrize("velocity", [(1e308, 0.0), (-1e308, 1e308)])
 def test_a_step_that_overflows_is_refused_and_undone(phase: str, velocity: tuple[float, float]) -> None:
-    world = World(broad_phase=phase, substeps=3)
+    world = World(detection="discrete", broad_phase=phase, substeps=3)
     world.add(Segment((0, 0), (1, 0)))
     world.add(Ball((0, 5), radius=1, velocity=velocity))
     world.add(Ball((0, 9), radius=1))
@@ -148,7 +148,7 @@ def test_a_step_that_overflows_is_refused_and_undone(phase: str, velocity: tuple
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_shape_that_leaves_the_range_of_numbers_is_refused_too(phase: str) -> None:
-    world = World(broad_phase=phase, substeps=3)
+    world = World(detection="discrete", broad_phase=phase, substeps=3)
     paddle = world.add(Segment((0, 0), (1, 0), motion="kinematic", velocity=(1e308, 0)))
     world.add(Ball((0, 5), radius=1))
     before = world.digest()
@@ -161,7 +161,7 @@ def test_a_shape_that_leaves_the_range_of_numbers_is_refused_too(phase: str) -> 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("what", ["position", "velocity", "radius", "mass"])
 def test_a_state_made_bad_through_a_view_is_refused(bad: float, what: str) -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Ball((0, 5), radius=1))
     column = getattr(world.balls, what)
     column[0] = bad
@@ -171,7 +171,7 @@ def test_a_state_made_bad_through_a_view_is_refused(bad: float, what: str) -> No
 
 
 def test_a_radius_or_mass_made_negative_through_a_view_is_refused() -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Ball((0, 5), radius=1))
     for column in (world.balls.radius, world.balls.mass):
         column[0] = -1.0

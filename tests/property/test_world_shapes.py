@@ -45,7 +45,7 @@ def test_the_index_gives_every_shape_that_a_ball_overlaps_in_the_order_of_meetin
     phase: str,
     data: st.DataObject,
 ) -> None:
-    world = World(broad_phase=phase, levels=data.draw(st.integers(1, 8)))
+    world = World(detection="discrete", broad_phase=phase, levels=data.draw(st.integers(1, 8)))
     for figure, moving in figures:
         world.add(shape_of(figure, motion="kinematic" if moving else "static"))
     prepare_index(world, radius)
@@ -64,7 +64,7 @@ def test_the_index_gives_every_shape_that_a_ball_overlaps_in_the_order_of_meetin
 
 @pytest.mark.parametrize("phase", PHASES)
 def test_shapes_as_far_apart_as_numbers_reach_are_found(phase: str) -> None:
-    world = World(broad_phase=phase)
+    world = World(detection="discrete", broad_phase=phase)
     places = [(1.7e308, 1.7e308), (-1.7e308, -1.7e308), (0, 0), (0, -1.7e308)]
     for place in places:
         world.add(Point(place))
@@ -75,7 +75,7 @@ def test_shapes_as_far_apart_as_numbers_reach_are_found(phase: str) -> None:
 
 @pytest.mark.parametrize("phase", PHASES)
 def test_far_from_the_origin_no_shape_is_hidden(phase: str) -> None:
-    world = World(broad_phase=phase)
+    world = World(detection="discrete", broad_phase=phase)
     rng = np.random.default_rng(2)
     places = 1e12 + rng.uniform(-50, 50, (40, 2))
     for place in places.tolist():
@@ -90,7 +90,7 @@ def test_far_from_the_origin_no_shape_is_hidden(phase: str) -> None:
 def room_of_shapes(phase: str, seed: int) -> World:
     """A closed room crowded with shapes of all kinds, some of which move, and one ball."""
     rng = np.random.default_rng(seed)
-    world = World(gravity=(0.3, -9), broad_phase=phase, iterations=5, substeps=2)
+    world = World(detection="discrete", gravity=(0.3, -9), broad_phase=phase, iterations=5, substeps=2)
     world.add(Circle((0, 0), 12))
     for k in range(30):
         x, y = rng.uniform(-9, 9, 2)
@@ -127,7 +127,7 @@ def test_one_ball_runs_to_the_same_bits_under_all_broad_phases(seed: int) -> Non
 def test_a_ball_that_one_shape_throws_far_meets_what_is_there_at_once() -> None:
     ends = []
     for phase in PHASES:
-        world = World(broad_phase=phase, substeps=1, iterations=1)
+        world = World(detection="discrete", broad_phase=phase, substeps=1, iterations=1)
         for k in range(40):
             world.add(Point((-30 + k, -30)))
         world.add(Circle((0, 0), 10, solid=True))

@@ -9,7 +9,7 @@ import pytest
 
 import carom
 from carom import scenes
-from tests.worlds import BILLIARDS, energy
+from tests.worlds import BILLIARDS, energy, small_scene
 
 DT = 1.0 / 60.0
 
@@ -79,6 +79,17 @@ def test_ten_seconds(name: str) -> None:
         assert energy(world) == pytest.approx(before, rel=1e-9)
     if name in ("galton", "pool"):
         assert energy(world) < before
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", ["breakout", "pinball", pytest.param("gas", marks=pytest.mark.slow)])
+def test_ten_seconds_in_discrete_mode(name: str) -> None:
+    world = getattr(scenes, name)().build()
+    world.detection = "discrete"
+    before = energy(world)
+    assert run(world, name, 10) > 0
+    if name in ELASTIC:
+        assert energy(world) == pytest.approx(before, rel=1e-9)
 
 
 @pytest.mark.compiled
@@ -266,3 +277,10 @@ def test_the_toys_launched_ball_comes_into_the_room_and_stays() -> None:
         inside = inside or x < 30.0
         assert not inside or x < 30.6 or y > 18.8
     assert inside
+
+
+def test_all_scenes_are_continuous_but_for_two() -> None:
+    found = {name for name in carom.scenes.names() if small_scene(name).world.detection == "discrete"}
+    assert found == {"galton", "toy"}
+    assert carom.World().detection == "continuous"
+    assert carom.Scene().world.detection == "continuous"

@@ -40,7 +40,7 @@ class Story:
     def __init__(
         self, *, shapes: bool = False, balls: int = 0, asleep: bool = False, removed: bool = False, added: bool = False
     ) -> None:
-        self.world = carom.World(sleep_speed=0.5 if asleep else 0.0, sleep_time=0.0)
+        self.world = carom.World(detection="discrete", sleep_speed=0.5 if asleep else 0.0, sleep_time=0.0)
         self._removed, self._added = removed, added
         for shape in every_shape() if shapes else []:
             self.world.add(shape)

@@ -27,6 +27,11 @@ def by_name(name: Any) -> Task:
     raise TaskError(f"no shipped task is called {name!r}; {hint}")
 
 
+def _quick(scene: Scene) -> Scene:
+    """A scene in the discrete mode, in which an agent sees twice as many steps a second."""
+    return scene.model_copy(update={"world": scene.world.model_copy(update={"detection": "discrete"})})
+
+
 def pinball() -> Task:
     """Pinball with one ball: keep it in play, and hit what gives points.
 
@@ -35,10 +40,9 @@ def pinball() -> Task:
     ends when the ball drains, and is cut off after two minutes.
     """
     table = scenes.pinball()
-    scene = table.model_copy(update={"balls": table.balls[:1]})
     return Task(
         name="pinball",
-        scene=scene,
+        scene=_quick(table.model_copy(update={"balls": table.balls[:1]})),
         actuators=(
             Turn(shape="left flipper", speeds=(-DOWN, UP)),
             Turn(shape="right flipper", speeds=(DOWN, -UP)),
@@ -65,7 +69,7 @@ def breakout() -> Task:
     """
     return Task(
         name="breakout",
-        scene="breakout",
+        scene=_quick(scenes.breakout()),
         actuators=(Travel(shape="paddle", speeds=(-24.0, 0.0, 24.0), limits=(-9.0, 9.0)),),
         observation=Observation(travelling="paddle", lights="brick .*"),
         reward=Reward(

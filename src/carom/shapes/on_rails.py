@@ -111,7 +111,7 @@ class OnRails(Named):
                 speeds, or the orientation is beyond the turn limits or not to be reached because `rotating` is off.
 
         >>> import carom
-        >>> world = carom.World(detection="continuous")
+        >>> world = carom.World()
         >>> paddle = world.add(carom.Segment((-1, 0), (1, 0), motion="kinematic"))
         >>> paddle.move_to((3, 0.5), dt=0.1)
         >>> hits = world.run(0.2)

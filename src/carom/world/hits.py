@@ -144,7 +144,7 @@ class Hits(OfHits[Hit]):
             LostObject: The hits do not know their world.
 
         >>> import carom
-        >>> world = carom.World(detection="continuous")
+        >>> world = carom.World()
         >>> room = world.add(carom.Circle((0, 0), 2.0))
         >>> ball = world.add(carom.Ball((0, 0), 0.5, velocity=(0, 1)))
         >>> hits, arc_length, sine = world.run(2.0).boundary([room])

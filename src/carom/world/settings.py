@@ -172,8 +172,8 @@ class Settings:
     detection: Setting[Detection, Detection] = choice(
         "detection",
         DETECTIONS,
-        "How collisions are found. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel."
-        " `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are exact.",
+        "How collisions are found. `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are"
+        " exact. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel.",
     )
     substeps = count(
         "substeps", MOST_SUBSTEPS, "Motion iterations per step (discrete; without effect in the continuous mode)."

@@ -72,7 +72,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         self,
         *,
         gravity: Pair = (0.0, 0.0),
-        detection: Detection = "discrete",
+        detection: Detection = "continuous",
         substeps: int = 4,
         iterations: int = 6,
         broad_phase: BroadPhase = "grid",

@@ -303,3 +303,27 @@ def test_a_ball_that_slides_over_an_uneven_joint_goes_on(uneven: float, elastici
     assert world.statistics.stalled == 0
     assert world.statistics.full_tests < 20_000
     assert ball.position[1] < -2
+
+
+@pytest.mark.parametrize("balls", [1, 2, 3])
+@pytest.mark.parametrize(
+    "floor", [Segment((-5, 0), (5, 0)), Circle((0, -2), 2, solid=True), Circle((0, 5), 5)], ids=lambda floor: floor.kind
+)
+def test_what_gets_a_kick_throws_off_what_lies_on_it(floor: Shape, balls: int) -> None:
+    lane = [Segment((x, 0.3), (x, 20), elasticity=0.5) for x in (-0.5, 0.5)]
+    world = falling_world(deepcopy(floor), *lane)
+    for place in range(balls):
+        world.add(Ball((0, 0.5 + 1.05 * place), 0.5, elasticity=0.6))
+    world.run(5.0)
+    assert np.abs(world.balls.velocity).max() < 1e-6
+    world.shapes[0].kick = 5.0
+    (hit,) = world.step(1 / 1024)
+    assert hit.impulse == pytest.approx(5.0, rel=1e-3)
+    heights = world.balls.position[:, 1].copy()
+    # What is on top carries on what the lowest one was given.
+    assert world.balls.velocity[-1, 1] > 1.0
+    assert (world.balls.velocity[:, 1] > -0.01).all()
+    assert world.balls.velocity[:, 1].sum() == pytest.approx(5.0 - balls * G / 1024, abs=0.02)
+    world.step(1 / 64)
+    assert (world.balls.position[:, 1] >= heights - 1e-6).all()
+    assert world.statistics.squeezed == 0

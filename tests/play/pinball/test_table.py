@@ -180,11 +180,11 @@ def test_a_caught_ball_can_be_shot_at_what_one_likes(table: Table) -> None:
 
 def left_with(table: Table, ball: carom.Ball) -> tuple[float, float]:
     """The angle in degrees and the speed with which a ball leaves the left flipper that swings up now."""
-    bat = {shape.id for shape in table.left.shape.shapes}
     velocity = ball.velocity
     table.left.press(True)
     for _ in range(30):
-        if any(shape in bat for shape in table.world.step(STEP)["shape"].tolist()):
+        table.world.step(STEP)
+        if min(shape.distance(ball.position) for shape in table.left.shape.shapes) < BALL_RADIUS + 0.01:
             velocity = ball.velocity
     return degrees(atan2(velocity[1], velocity[0])), hypot(*velocity)
 

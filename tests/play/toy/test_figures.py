@@ -14,7 +14,7 @@ BOX = [((0, 0), (8, 0)), ((8, 0), (8, 8)), ((8, 8), (0, 8)), ((0, 8), (0, 0))]
 
 def room(balls: int, broad_phase: str) -> carom.World:
     """A room of four walls, a compound, and balls that do not touch."""
-    world = carom.World(broad_phase=broad_phase)
+    world = carom.World(detection="discrete", broad_phase=broad_phase)
     for start, end in BOX:
         world.add(carom.Segment(start, end))
     world.add(carom.Compound([carom.Point((7.5, 7.5))], pivot=(7, 7), angular_velocity=1.0))
@@ -88,7 +88,7 @@ def test_no_rate_is_below_0_when_a_table_that_was_played_on_is_cleared() -> None
 
 
 def test_a_twin_turns_what_the_world_has_turned() -> None:
-    world = carom.World(broad_phase="grid", substeps=1, iterations=1)
+    world = carom.World(detection="discrete", broad_phase="grid", substeps=1, iterations=1)
     arm = world.add(carom.Compound([carom.Point((20, 0))], pivot=(0, 0), rotating=False))
     world.add(carom.Ball((-20, 0.6), radius=0.5))
     twin = Twin(world)
@@ -147,7 +147,7 @@ def test_the_load_is_frames_a_second_and_milliseconds() -> None:
 
 
 def test_balls_that_sleep_go_on_sleeping_while_figures_are_read() -> None:
-    world = carom.World(sleep_speed=1.0, sleep_time=0.0)
+    world = carom.World(detection="discrete", sleep_speed=1.0, sleep_time=0.0)
     world.add_balls(np.array([(1.0, 1.0), (4.0, 4.0)]), radius=0.5)
     world.step(1 / 60)
     assert world.statistics.sleeping == 2

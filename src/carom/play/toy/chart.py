@@ -54,12 +54,12 @@ class Count:
 def count(balls: int, broad_phase: BroadPhase, before: int = BEFORE, measured: int = MEASURED) -> Count:
     """The box tests of an iteration among `balls` discs of a gas, the mean of some steps after the first ones."""
     world = carom.scenes.gas(balls=balls).build()
-    world.levels = LEVELS
+    world.detection, world.levels = "discrete", LEVELS
     if before:
         world.run(before / 60, dt=1 / 60)
     world.substeps = world.iterations = 1
     world.broad_phase = broad_phase
-    alone = carom.World(substeps=1, iterations=1, broad_phase=broad_phase, levels=LEVELS)
+    alone = carom.World(detection="discrete", substeps=1, iterations=1, broad_phase=broad_phase, levels=LEVELS)
     alone.add_balls(world.balls.position, radius=world.balls.radius)
     tests = pairs = 0
     for _ in range(measured):

@@ -34,7 +34,12 @@ def toy() -> Scene:
     """The collision toy's table, one ball in the launch lane and four in the room."""
     return Scene(
         name="toy",
-        world=WorldDescriptor(gravity=(0.0, -5.0), max_speed=40.0, bounds=(-2.0, -2.0, WIDTH + 2.0, HEIGHT + 2.0)),
+        world=WorldDescriptor(
+            detection="discrete",  # so that the toy can show what may tunnel
+            gravity=(0.0, -5.0),
+            max_speed=40.0,
+            bounds=(-2.0, -2.0, WIDTH + 2.0, HEIGHT + 2.0),
+        ),
         guard=True,
         shapes=(*_room(), *_pocket(), *_lane(), *_inside(), *_below(), *_posts()),
         balls=_balls(),

@@ -63,7 +63,7 @@ def lyapunov_of(world: World, seconds: float) -> RunLyapunov:
 
     >>> import carom
     >>> from carom import study
-    >>> world = carom.World(detection="continuous")
+    >>> world = carom.World()
     >>> _ = world.add(carom.Circle((0, 0), 2.0), carom.Ball((0.5, 0), 0.1, velocity=(0.3, 1.0)))
     >>> found = study.lyapunov_of(world, 100.0)  # has no chaos
     >>> bool((abs(found.spectrum) < 2.0 * found.error).all())

@@ -120,7 +120,7 @@ def test_one_orbit_shows_what_many_of_a_table_do(make: Callable[[], carom.World]
 
 def discrete() -> carom.World:
     """A world of the discrete mode."""
-    return carom.World()
+    return carom.World(detection="discrete")
 
 
 @pytest.mark.parametrize(

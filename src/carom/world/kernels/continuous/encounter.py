@@ -127,9 +127,11 @@ def bounce(
     elasticity = 0.0 if tired else elasticity
     state["held"] += 1 if tired and s < 0.0 else 0
     kick = float(shape["kick"])
+    # What others press on a shape that has got a kick since they lie on it does not even approach.
+    strikes = s < 0.0 or (kick != 0.0 and s == 0.0)
     lasting = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
     slowest = lasting if rest_speed < 0.0 or lasting == 0.0 else rest_speed
-    if tired and (lasting > 0.0 or lies(relations, ball)):
+    if tired and kick == 0.0 and (lasting > 0.0 or lies(relations, ball)):
         # Of an island even what nothing presses on, or balls between two heavy ones would go to and fro for long.
         lasting, slowest = max(lasting, LEAST_SQUARE), inf
     if s < 0.0 and -s <= JOINT_TURN * length(vx - ux, vy - uy) and has_kind(relations, ball, LASTING):
@@ -138,7 +140,7 @@ def bounce(
         ball["vy"] = vy - s * ny
         if lasting == 0.0:
             drop_all(state, relations, ball, LASTING)
-    elif s < 0.0:
+    elif strikes:
         rebound = -s * (elasticity if rest_speed < 0.0 else 1.0)
         if kick == 0.0 and (tired or slowest > 0.0) and rebound <= slowest:
             ball["vx"] = vx - s * nx
@@ -154,14 +156,13 @@ def bounce(
     along = length(vx - ux, vy - uy)
     # What travels with a surface parts from it by what the digits of its own speed can tell.
     speed = larger(along, length(vx, vy))
-    if s < 0.0:
+    if strikes:
         if elasticity == 0.0 and kick == 0.0:
             part_least(ball, speed, nx, ny)
         end_thrown(state, ball, flight, shapes, relations, nx, ny)
     elif u <= LEAST_PART * along:
         # It goes along the surface; rounding alone has found the impact, and would find it again.
-        pull = length(float(flight["ax"]), float(flight["ay"]))
-        part_least(ball, larger(speed, sqrt(pull * radius)), nx, ny)
+        part_least(ball, larger(speed, sqrt(length(float(flight["ax"]), float(flight["ay"])) * radius)), nx, ny)
 
 
 def rebound_off(

@@ -10,7 +10,6 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import NO_BALL, NO_TICK, FlightRow
 from carom.rows.island import NO_BODY, BodyRow, IslandContactRow
 from carom.rows.kinds import bend_center
-from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
@@ -18,7 +17,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import age_of_mover
 from carom.world.kernels.continuous.flight import age_now, is_crowded, place_after
-from carom.world.kernels.continuous.lasting import leave_points
+from carom.world.kernels.continuous.lasting import leave_points, may_hold
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.surfaces import gap_to_shape, out_of_frame
 from carom.world.kernels.step.relations import add_relation, drop_kind, drop_relation, find_relation, has_kind
@@ -215,7 +214,7 @@ def fill_shapes(
             contact["shape"] = row
             elasticity = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
             contact["elasticity"] = 0.0 if is_crowded(flights[i]) else elasticity
-            ends = not (may_collide(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
+            ends = not (may_hold(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
             found += 0 if ends else 1
         if ends:
             place = drop_relation(state, relations, balls[i], place, before)

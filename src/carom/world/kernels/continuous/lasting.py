@@ -264,9 +264,14 @@ def held_by(ball: BallRow, flight: FlightRow, shape: ShapeRow, gx: float, gy: fl
     return gx + push * nx, gy + push * ny
 
 
+def may_hold(ball: BallRow, shape: ShapeRow) -> bool:
+    """True unless a shape lets a ball through, or has a kick, be it since the ball lies on it: that throws it off."""
+    return may_collide(ball, shape) and bool(shape["kick"] == 0.0)
+
+
 def holds(ball: BallRow, flight: FlightRow, shape: ShapeRow, changed: bool, ax: float, ay: float) -> bool:
     """True if a lasting contact goes on: it is closed and pressed, and no impact throws the ball off or in."""
-    if not may_collide(ball, shape):
+    if not may_hold(ball, shape):
         return False
     time = age_of_motion(shape, flight)
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])

@@ -54,7 +54,7 @@ def test_a_search_that_runs_out_of_room_says_how_much_it_wants(room: int) -> Non
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_world_grows_its_room_until_all_pairs_fit(phase: str) -> None:
-    world = World(broad_phase=phase, substeps=1, iterations=1)
+    world = World(detection="discrete", broad_phase=phase, substeps=1, iterations=1)
     world.add_balls(np.zeros((150, 2)) + np.arange(150)[:, None] * 1e-3, radius=5.0)
     before = world.balls.position.copy()
     world.step(0.0)
@@ -71,7 +71,7 @@ def test_the_order_of_pairs_depends_on_the_state_alone(phase: str) -> None:
 
 @pytest.mark.parametrize("phase", ["grid", "quadtree"])
 def test_far_fewer_boxes_are_compared_than_there_are_pairs(phase: str) -> None:
-    world = World(broad_phase=phase, levels=8, substeps=1, iterations=1)
+    world = World(detection="discrete", broad_phase=phase, levels=8, substeps=1, iterations=1)
     grid = np.stack(np.meshgrid(np.arange(40.0), np.arange(40.0)), -1).reshape(-1, 2)
     world.add_balls(3 * grid, radius=1.0)
     world.step(0.0)
@@ -80,7 +80,7 @@ def test_far_fewer_boxes_are_compared_than_there_are_pairs(phase: str) -> None:
 
 def test_pairs_of_a_world_without_or_with_one_ball_are_none() -> None:
     for phase in ("brute", "grid", "quadtree"):
-        world = World(broad_phase=phase)
+        world = World(detection="discrete", broad_phase=phase)
         assert len(world.step(0.1)) == 0
         world.add(Ball((0, 0), radius=1))
         assert len(world.step(0.1)) == 0

@@ -18,7 +18,7 @@ RADIUS = 0.5
 
 def field() -> carom.World:
     """Posts, walls and rings within a frame, in cells as wide as a ball, whatever their number."""
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(carom.Segment((-2, -2), (8, -2)), carom.Segment((-2, 8), (8, 8)))
     for k in range(12):
         x, y = 1.5 * (k % 4), 1.5 * (k // 4)
@@ -66,7 +66,7 @@ def clear_of(world: carom.World) -> NDArray[np.int64]:
 
 @pytest.mark.parametrize("gone", [0, 4])
 def test_cells_know_how_near_what_has_come_is_and_never_say_more(gone: int) -> None:
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(*(carom.Point((2.0 * k, 2.0 * j)) for k in (0, 1, 2, 3, 9, 10, 11, 12) for j in (0, 1, 2, 8, 9, 10)))
     world.add(carom.Ball((-1, -1), RADIUS))
     prepare_index(world, RADIUS)
@@ -123,6 +123,6 @@ def test_so_they_are_where_there_is_no_room_for_more_members() -> None:
 
 @pytest.mark.parametrize(("row", "other", "later"), [(0, 1, False), (1, 0, True), (2, 1, True), (1, 2, False)])
 def test_a_shape_is_met_after_those_of_lower_kinds_and_rows(row: int, other: int, later: bool) -> None:
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(carom.Point((0, 0)), carom.Point((1, 0)), carom.Circle((0, 0), 1))
     assert is_met_later(world._arrays.shapes.rows, row, other) is later

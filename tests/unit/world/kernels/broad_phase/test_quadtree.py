@@ -70,7 +70,7 @@ def test_a_tree_of_a_crowd_has_no_more_nodes_than_there_are_pairs() -> None:
 
 
 def test_a_world_of_crowded_balls_and_many_levels_stays_small() -> None:
-    world = World(broad_phase="quadtree", levels=16, substeps=1, iterations=1)
+    world = World(detection="discrete", broad_phase="quadtree", levels=16, substeps=1, iterations=1)
     world.add_balls(np.random.default_rng(0).uniform(-9, 9, (60, 2)), radius=2.0)
     world.step(0.0)
     assert len(world._arrays.cells) < 10_000

@@ -95,7 +95,7 @@ def test_two_lists_are_read_as_one_in_members_order(kinds: list[tuple[bool, bool
 
 
 def test_in_substeps_a_shape_stays_in_its_region_until_regions_are_made_anew() -> None:
-    world = World(substeps=2)
+    world = World(detection="discrete", substeps=2)
     world.add(*drifting(Random(1), 17), Ball((30, 30), RADIUS))
     arrays, made = world._arrays, 0
     regions: list[tuple[float, float, float, float]] = []
@@ -135,7 +135,7 @@ def spans_of(world: World, steps: int) -> list[float]:
 
 
 def test_regions_of_what_turns_hold_for_ever_and_those_of_what_travels_for_a_while() -> None:
-    turning, travelling = World(substeps=1), World(substeps=1)
+    turning, travelling = World(detection="discrete", substeps=1), World(detection="discrete", substeps=1)
     for k in range(20):
         turning.add(Segment((3 * k, 0), (3 * k + 1, 0), motion="kinematic", angular_velocity=1.0))
         travelling.add(Segment((3 * k, 0), (3 * k + 1, 0), motion="kinematic", velocity=(0, 40.0)))
@@ -149,7 +149,7 @@ def test_regions_of_what_turns_hold_for_ever_and_those_of_what_travels_for_a_whi
 
 
 def test_regions_do_not_hold_for_more_substeps_than_their_margin_is_for() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(*(Point((k, 0), motion="kinematic", velocity=(1e-9, 0)) for k in range(20)), Ball((0, 9), RADIUS))
     assert spans_of(world, 2) == pytest.approx([REGION_SUBSTEPS * 0.01, (REGION_SUBSTEPS - 1) * 0.01])
 
@@ -157,7 +157,7 @@ def test_regions_do_not_hold_for_more_substeps_than_their_margin_is_for() -> Non
 def test_where_regions_lie_over_each_other_among_many_balls_places_are_filed_anew() -> None:
     angles = [2 * pi * k / 20 for k in range(20)]
     drum = [Point((10 * cos(a), 10 * sin(a)), motion="kinematic", pivot=(0, 0), angular_velocity=1.0) for a in angles]
-    few, many = World(substeps=1), World(substeps=1)
+    few, many = World(detection="discrete", substeps=1), World(detection="discrete", substeps=1)
     for world, side in ((few, 2), (many, 24)):
         world.add(*drum) if world is few else world.add(*(copy(point) for point in drum))
         world.add_balls([(0.2 * (k % side), 0.2 * (k // side)) for k in range(side * side)], radius=0.1)
@@ -172,7 +172,7 @@ def test_where_regions_lie_over_each_other_among_many_balls_places_are_filed_ane
 
 
 def test_few_shapes_among_few_balls_are_in_one_cell_around_their_places() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(*(Point((k, 0), motion="kinematic", velocity=(0, 1)) for k in range(3)), Ball((0, 9), RADIUS))
     assert spans_of(world, 1) == [0.0]
     assert found_moving(world._arrays, 1.0, 0.2) == found_moving(world._arrays, -0.2, 0.01 + RADIUS) == [0, 1, 2]
@@ -180,7 +180,7 @@ def test_few_shapes_among_few_balls_are_in_one_cell_around_their_places() -> Non
 
 
 def test_a_shape_that_arrives_is_found_wherever_its_way_was() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(*(Point((k, 0), motion="kinematic") for k in range(20)), Ball((0, 9), RADIUS))
     world.shapes[0].move_to((0, 1), dt=0.03)
     world.step(0.01)
@@ -190,7 +190,7 @@ def test_a_shape_that_arrives_is_found_wherever_its_way_was() -> None:
 
 
 def test_regions_stand_when_static_shapes_are_changed_until_these_need_their_room() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(*(Segment((3 * k, 0), (3 * k + 1, 0), motion="kinematic", velocity=(0, 0.1)) for k in range(20)))
     posts = [Point((3 * k + 2, 5 * (k % 2))) for k in range(20)]
     world.add(*posts, Ball((0, 9), RADIUS))
@@ -206,7 +206,7 @@ def test_regions_stand_when_static_shapes_are_changed_until_these_need_their_roo
 
 
 def test_cells_are_made_when_there_are_no_more_few_balls() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((3, 0), (4, 0), motion="kinematic", angular_velocity=1.0), Ball((0, 9), RADIUS))
     assert spans_of(world, 1) == [0.0]
     world.add_balls([(0.3 * k, 20.0) for k in range(FEW_BALLS)], radius=0.1)

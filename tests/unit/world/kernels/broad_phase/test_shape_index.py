@@ -26,7 +26,7 @@ from tests.kernel_calls import ball_rows, found_shapes, prepare_index
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_world_without_shapes_has_no_cells(phase: str) -> None:
-    world = World(broad_phase=phase)
+    world = World(detection="discrete", broad_phase=phase)
     world.add(Ball((0, 0), radius=1))
     prepare_index(world, 1.0)
     for which in (FIXED, MOVING):
@@ -34,7 +34,7 @@ def test_a_world_without_shapes_has_no_cells(phase: str) -> None:
 
 
 def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Segment((0, 0), (10, 0)))
     prepare_index(world, 1.0)
     arrays = world._arrays
@@ -45,7 +45,7 @@ def test_a_grid_has_no_cell_outside_of_its_shapes_reach() -> None:
 
 
 def test_short_lists_are_what_a_grid_is_for() -> None:
-    world = World()
+    world = World(detection="discrete")
     for k in range(400):
         world.add(Point((k % 20, k // 20)))
     prepare_index(world, 0.1)
@@ -54,7 +54,7 @@ def test_short_lists_are_what_a_grid_is_for() -> None:
 
 
 def test_each_cell_knows_how_far_it_is_from_those_with_members() -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Segment((0, 0), (30, 0)), Circle((22, 14), 2.5), Point((3, 19)), *(Point((k, 1)) for k in range(16)))
     prepare_index(world, 0.5)
     entry, cells = world._arrays.index[FIXED], world._arrays.cells
@@ -72,7 +72,7 @@ def test_each_cell_knows_how_far_it_is_from_those_with_members() -> None:
 
 
 def test_static_and_kinematic_shapes_stand_apart() -> None:
-    world = World()
+    world = World(detection="discrete")
     world.add(Point((0, 0), motion="kinematic"))
     world.add(Point((0, 0)))
     prepare_index(world, 1.0)
@@ -81,7 +81,7 @@ def test_static_and_kinematic_shapes_stand_apart() -> None:
 
 
 def test_the_rest_of_a_cell_is_what_is_met_after_a_shape() -> None:
-    world = World(broad_phase="brute")
+    world = World(detection="discrete", broad_phase="brute")
     for shape in (Circle((0, 0), 1), Point((0, 0)), Segment((0, 0), (1, 0)), Point((1, 1)), Circle((1, 0), 1)):
         world.add(shape)
     prepare_index(world, 1.0)
@@ -105,7 +105,7 @@ def test_cells_are_no_smaller_than_a_ball_and_not_too_many(detection: Any, most:
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_shape_that_is_moved_from_outside_is_found_where_it_is(phase: str) -> None:
-    world = World(broad_phase=phase, substeps=1)
+    world = World(detection="discrete", broad_phase=phase, substeps=1)
     post = world.add(Point((0, 0)))
     hand = world.add(Point((9, 0), motion="kinematic"))
     ball = world.add(Ball((50, 50), radius=1))
@@ -119,7 +119,7 @@ def test_a_shape_that_is_moved_from_outside_is_found_where_it_is(phase: str) -> 
 
 @pytest.mark.parametrize("phase", ["brute", "grid", "quadtree"])
 def test_a_larger_ball_is_served_when_it_comes(phase: str) -> None:
-    world = World(broad_phase=phase, substeps=1)
+    world = World(detection="discrete", broad_phase=phase, substeps=1)
     post = world.add(Point((0, 0)))
     world.add(Ball((-50, 50), radius=1e-3))
     world.step(0.1)
@@ -139,7 +139,7 @@ def front(world: World) -> Front:
 @pytest.mark.parametrize("far", [0.0, 1e9])
 def test_no_ball_is_passed_over_whose_box_meets_that_of_a_shape(count: int, far: float) -> None:
     rng = np.random.default_rng(count)
-    world = World()
+    world = World(detection="discrete")
     for k in range(count):
         x, y, wide, high = rng.uniform(-9, 9, 4)
         x, y = x + far, y - far
@@ -174,7 +174,7 @@ def test_no_ball_is_passed_over_whose_box_meets_that_of_a_shape(count: int, far:
 
 
 def test_most_of_a_room_is_free() -> None:
-    world = World()
+    world = World(detection="discrete")
     corners = ((0, 0), (100, 0), (100, 80), (0, 80))
     for k, corner in enumerate(corners):
         world.add(Segment(corner, corners[k - 1]), Point(corner))
@@ -189,13 +189,13 @@ def test_most_of_a_room_is_free() -> None:
 
 
 def test_where_shapes_move_or_there_is_no_grid_nothing_is_free() -> None:
-    moving = World()
+    moving = World(detection="discrete")
     moving.add(Segment((0, 0), (10, 0)), Point((5, 5), motion="kinematic", velocity=(1, 0)))
     prepare_index(moving, 0.5)
-    tree = World(broad_phase="quadtree")
+    tree = World(detection="discrete", broad_phase="quadtree")
     tree.add(Segment((0, 0), (10, 0)))
     prepare_index(tree, 0.5)
-    empty = World()
+    empty = World(detection="discrete")
     prepare_index(empty, 0.5)
     assert [is_free(front(world), 5.0, 3.0) for world in (moving, tree, empty)] == [False, False, True]
     assert [front(world)[0] for world in (moving, tree, empty)] == [False, False, True]

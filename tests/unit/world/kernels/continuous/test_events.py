@@ -130,10 +130,11 @@ def test_what_comes_past_an_end_of_a_mover_is_told_from_what_touches_its_side() 
     arrays = in_flight(continuous_world(bar, Ball((-4, 0.3), 1)))
     ball, flight, shape = arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows[0]
     flight["time"] = 4.5
-    assert came_past_end(ball, flight, shape, arrays.relations, -4.0, 0.3, 4.5)
-    assert not came_past_end(ball, flight, shape, arrays.relations, -4.0, 0.3, 0.0)
+    came = (-4.0, 0.3, 0.0, 0.0, 0.0, 0.0)
+    assert came_past_end(ball, flight, shape, arrays.relations, came, 4.5)
+    assert not came_past_end(ball, flight, shape, arrays.relations, came, 0.0)
     ball["y"] = 1.0
-    assert not came_past_end(ball, flight, shape, arrays.relations, -4.0, 1.0, 4.5)
+    assert not came_past_end(ball, flight, shape, arrays.relations, (-4.0, 1.0, 0.0, 0.0, 0.0, 0.0), 4.5)
 
 
 def test_when_shapes_stop_balls_that_they_hold_begin_new_flights() -> None:

@@ -4,7 +4,7 @@ from carom import Arc, Ball, Circle, Point, Segment, World
 
 
 def test_points_come_before_segments_circles_and_arcs_and_static_before_kinematic() -> None:
-    world = World(substeps=1, iterations=1)
+    world = World(detection="discrete", substeps=1, iterations=1)
     arc = world.add(Arc((0, 2), 2.4, 4, 5.5, motion="kinematic"))
     moving_circle = world.add(Circle((0, -1), 0.7, motion="kinematic"))
     moving_wall = world.add(Segment((-9, -0.4), (9, -0.4), motion="kinematic"))
@@ -23,7 +23,7 @@ def test_points_come_before_segments_circles_and_arcs_and_static_before_kinemati
 
 def test_a_post_at_a_joint_is_met_before_the_walls() -> None:
     for add_first in (True, False):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         post = Point((0, 0))
         if add_first:
             world.add(post)
@@ -37,7 +37,7 @@ def test_a_post_at_a_joint_is_met_before_the_walls() -> None:
 
 
 def test_pairs_come_after_shapes() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Ball((0, 1), radius=1, velocity=(0, -1)))
     world.add(Ball((2, 1), radius=1, velocity=(-1, 0)))
     world.add(Segment((-9, 0), (9, 0)))
@@ -48,7 +48,7 @@ def test_pairs_come_after_shapes() -> None:
 
 def test_a_ball_pushed_onto_a_shape_meets_it_in_the_next_iteration_and_once_more_after_the_last() -> None:
     for iterations, met in ((1, ["ball", "segment"]), (2, ["ball", "segment", "ball", "segment"])):
-        world = World(substeps=1, iterations=iterations)
+        world = World(detection="discrete", substeps=1, iterations=iterations)
         world.add(Segment((-9, 0), (9, 0)))
         world.add(Ball((0, 1), radius=1))
         world.add(Ball((0, 3), radius=1, velocity=(0, -1), mass=1e12))
@@ -56,7 +56,7 @@ def test_a_ball_pushed_onto_a_shape_meets_it_in_the_next_iteration_and_once_more
 
 
 def test_a_row_of_touching_balls_passes_a_push_on_by_one_ball_an_iteration_at_least() -> None:
-    world = World(substeps=1, iterations=6)
+    world = World(detection="discrete", substeps=1, iterations=6)
     balls = [world.add(Ball((2 * k, 0), radius=1)) for k in range(5)]
     balls[0].velocity = (1, 0)
     world.step(0.1)
@@ -64,7 +64,7 @@ def test_a_row_of_touching_balls_passes_a_push_on_by_one_ball_an_iteration_at_le
 
 
 def test_an_iteration_that_finds_nothing_ends_them() -> None:
-    world = World(substeps=1, iterations=1000, broad_phase="brute")
+    world = World(detection="discrete", substeps=1, iterations=1000, broad_phase="brute")
     world.add(Ball((0, 0), radius=1))
     world.add(Ball((5, 0), radius=1))
     world.step(0.1)
@@ -72,7 +72,7 @@ def test_an_iteration_that_finds_nothing_ends_them() -> None:
 
 
 def test_boxes_are_compared_before_shapes() -> None:
-    world = World(substeps=1, broad_phase="brute")
+    world = World(detection="discrete", substeps=1, broad_phase="brute")
     world.add(Point((5, 5)))
     world.add(Ball((0, 0), radius=1))
     world.step(0.1)

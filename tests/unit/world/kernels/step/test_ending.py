@@ -115,7 +115,7 @@ def test_a_relation_ends_with_what_it_was_to_or_when_that_is_a_sensor_no_more(ki
 
 @pytest.mark.parametrize(("removes", "status"), [(True, HAS_STRAYS), (False, DONE)])
 def test_a_step_ends_with_its_time_and_with_those_that_have_left_the_bounds(removes: bool, status: int) -> None:
-    world = World(bounds=(0, 0, 10, 10), remove_strays=removes)
+    world = World(detection="discrete", bounds=(0, 0, 10, 10), remove_strays=removes)
     for x, y in ((5, 5), (-0.99, 5), (-1.01, 5), (5, 11.01), (5, 10.99), (11.5, 11.5)):
         world.add(Ball((x, y), 1))
     arrays = prepared(world)

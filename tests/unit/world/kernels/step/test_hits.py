@@ -13,7 +13,7 @@ from tests.kernel_calls import ball_rows, state_row
 
 
 def test_a_hit_on_a_shape_says_when_where_and_how() -> None:
-    world = World(substeps=4)
+    world = World(detection="discrete", substeps=4)
     world.step(1.0)
     wall = world.add(Segment((-9, 0), (9, 0), elasticity=0.5))
     ball = world.add(Ball((1, 1.375), radius=1, velocity=(3, -4), mass=2))
@@ -30,7 +30,7 @@ def test_a_hit_on_a_shape_says_when_where_and_how() -> None:
 
 
 def test_a_hit_of_the_last_substep_has_the_time_that_the_step_ends_at() -> None:
-    world = World(substeps=3)
+    world = World(detection="discrete", substeps=3)
     world.run(0.5, dt=0.1)
     world.add(Segment((-9, 0), (9, 0)))
     world.add(Ball((0, 1.95), radius=1, velocity=(0, -10)))
@@ -39,7 +39,7 @@ def test_a_hit_of_the_last_substep_has_the_time_that_the_step_ends_at() -> None:
 
 
 def test_a_hit_of_two_balls_is_one_whose_shape_is_the_ball_added_first() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     first = world.add(Ball((2, 0), radius=1, mass=2))
     second = world.add(Ball((0, 0), radius=1, velocity=(3, 4), mass=1))
     (hit,) = world.step(1 / 64)
@@ -56,7 +56,7 @@ def test_a_hit_of_two_balls_is_one_whose_shape_is_the_ball_added_first() -> None
 
 
 def test_hits_come_in_the_order_of_time() -> None:
-    world = World(gravity=(0, -10))
+    world = World(detection="discrete", gravity=(0, -10))
     world.add(Circle((0, 0), 10))
     for k in range(20):
         world.add(Ball((0.3 * k - 3, 0.2 * k), radius=0.5, velocity=(k, -k)))

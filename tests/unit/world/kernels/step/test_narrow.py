@@ -19,7 +19,7 @@ def test_boxes_that_touch_are_not_apart() -> None:
 
 def test_a_normal_points_from_the_shape_to_the_ball_on_either_side() -> None:
     for y in (1, -1):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         world.add(Segment((-9, 0), (9, 0)))
         world.add(Ball((0, y), radius=1, velocity=(0, -y)))
         (hit,) = world.step(0.1)
@@ -28,7 +28,7 @@ def test_a_normal_points_from_the_shape_to_the_ball_on_either_side() -> None:
 
 @pytest.mark.parametrize("masses", [(1e-9, 1e9), (1e9, 1e-9)])
 def test_the_impulse_of_a_pair_is_right_however_unequal_the_masses(masses: tuple[float, float]) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     for x, mass in zip((0.0, 1.9), masses, strict=True):
         world.add(Ball((x, 0), radius=1, velocity=(0.3 - x, 0.1), mass=mass))
     (hit,) = world.step(0.0)
@@ -38,7 +38,9 @@ def test_the_impulse_of_a_pair_is_right_however_unequal_the_masses(masses: tuple
 def test_the_impulse_is_the_momentum_given_along_the_normal() -> None:
     rng = np.random.default_rng(3)
     for _ in range(50):
-        world = World(substeps=1, iterations=1, restitution="total" if rng.random() < 0.5 else "normal")
+        world = World(
+            detection="discrete", substeps=1, iterations=1, restitution="total" if rng.random() < 0.5 else "normal"
+        )
         options = {"elasticity": rng.uniform(0, 1.3), "kick": rng.uniform(0, 2)}
         world.add(Circle((0, 0), 1, solid=True, motion="kinematic", velocity=tuple(rng.normal(size=2)), **options))
         ball = world.add(Ball(tuple(rng.normal(size=2)), radius=1.5, velocity=tuple(rng.normal(size=2)), mass=3))
@@ -49,7 +51,7 @@ def test_the_impulse_is_the_momentum_given_along_the_normal() -> None:
 
 
 def test_two_balls_at_one_place_part_against_their_relative_velocity_and_are_counted() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     first = world.add(Ball((0, 0), radius=1))
     second = world.add(Ball((-0.5, 0), radius=1, velocity=(1, 0)))
     hits = world.step(0.5)
@@ -60,7 +62,7 @@ def test_two_balls_at_one_place_part_against_their_relative_velocity_and_are_cou
 
 
 def test_balls_at_rest_at_one_place_part_upwards() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     balls = [world.add(Ball((3, 3), radius=1)) for _ in range(2)]
     assert len(world.step(0.1)) == 0
     assert [ball.position for ball in balls] == [(3, 2), (3, 4)]
@@ -68,7 +70,7 @@ def test_balls_at_rest_at_one_place_part_upwards() -> None:
 
 
 def test_a_ball_at_rest_on_a_post_is_moved_up() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Point((3, 3)))
     ball = world.add(Ball((3, 3), radius=1))
     world.step(0.1)

@@ -29,7 +29,7 @@ def is_passing(world: World, ball: Ball, shape: Segment | Arc) -> bool:
 
 
 def test_a_ball_that_comes_round_a_bare_end_passes_it_and_meets_nothing() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0)))
     ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
     hits = world.run(12, dt=0.1)
@@ -41,7 +41,7 @@ def test_a_ball_that_comes_round_a_bare_end_passes_it_and_meets_nothing() -> Non
 
 def test_a_passing_ball_may_leave_on_either_side_and_turn_back() -> None:
     for turn in ((0.0, 1.0), (0.0, -1.0), (-1.0, 0.0)):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         wall = world.add(Segment((0, 0), (10, 0)))
         ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
         world.run(3, dt=0.1)
@@ -53,7 +53,7 @@ def test_a_passing_ball_may_leave_on_either_side_and_turn_back() -> None:
 
 
 def test_a_ball_that_has_passed_meets_the_segment_again() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0)))
     ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
     world.run(3, dt=0.1)
@@ -65,7 +65,7 @@ def test_a_ball_that_has_passed_meets_the_segment_again() -> None:
 
 
 def test_a_ball_that_overlaps_a_bare_end_a_little_is_pushed_out() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0)))
     ball = world.add(Ball((-0.05, 0.8), radius=1, velocity=(1, 0)))
     world.step(0.1)
@@ -75,7 +75,7 @@ def test_a_ball_that_overlaps_a_bare_end_a_little_is_pushed_out() -> None:
 
 def test_passing_begins_beyond_a_quarter_of_the_radius() -> None:
     for share, passes in ((0.999, False), (1.001, True)):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         wall = world.add(Segment((0, 0), (10, 0)))
         ball = world.add(Ball((-0.05, 2 - 2 * share * END_DEPTH_DISCRETE), radius=2, velocity=(1, 0)))
         world.step(0.1)
@@ -84,7 +84,7 @@ def test_passing_begins_beyond_a_quarter_of_the_radius() -> None:
 
 @pytest.mark.parametrize("start", [(3, 0.1), (0.01, 0.1), (9.99, -0.1)])
 def test_a_ball_that_was_placed_onto_a_segment_is_pushed_out(start: tuple[float, float]) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0)))
     ball = world.add(Ball(start, radius=1))
     world.step(0.1)
@@ -93,7 +93,7 @@ def test_a_ball_that_was_placed_onto_a_segment_is_pushed_out(start: tuple[float,
 
 
 def test_a_ball_that_was_pushed_onto_a_segment_is_pushed_out() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0)))
     ball = world.add(Ball((-0.1, 0.5), radius=1))
     world.add(Ball((-1.5, 0.5), radius=1, mass=1e9))
@@ -104,7 +104,7 @@ def test_a_ball_that_was_pushed_onto_a_segment_is_pushed_out() -> None:
 
 
 def test_an_arc_is_passed_round_its_bare_end() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     bowl = world.add(Arc((0, 0), 5, pi, 2 * pi))
     ball = world.add(Ball((-5.3, 1), radius=1, velocity=(0, -1)))
     assert len(world.run(2, dt=0.05)) == 0
@@ -114,7 +114,7 @@ def test_an_arc_is_passed_round_its_bare_end() -> None:
 
 @pytest.mark.parametrize("speed", [1, 30, 100])
 def test_a_ball_that_falls_onto_a_joint_bounces_however_fast(speed: float) -> None:
-    whole, cut = World(substeps=1), World(substeps=1)
+    whole, cut = World(detection="discrete", substeps=1), World(detection="discrete", substeps=1)
     whole.add(Segment((-5, 0), (5, 0)))
     cut.add(Segment((-5, 0), (0, 0)))
     cut.add(Segment((0, 0), (5, 0)))
@@ -127,7 +127,7 @@ def test_a_ball_that_falls_onto_a_joint_bounces_however_fast(speed: float) -> No
 
 @pytest.mark.parametrize("inside", [True, False])
 def test_a_ball_that_falls_onto_a_joint_of_arcs_bounces(inside: bool) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Arc((0, 0), 5, pi, 1.5 * pi))
     world.add(Arc((0, 0), 5, 1.5 * pi, 2 * pi))
     y, vy = (-3.5, -10) if inside else (-6.5, 10)
@@ -138,7 +138,7 @@ def test_a_ball_that_falls_onto_a_joint_of_arcs_bounces(inside: bool) -> None:
 
 
 def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     paddle = world.add(Segment((0, 0), (10, 0), motion="kinematic", velocity=(-1, 0)))
     ball = world.add(Ball((-1, 0.5), radius=1))
     assert len(world.run(5, dt=0.1)) == 0
@@ -147,18 +147,18 @@ def test_a_segment_that_sweeps_over_a_ball_from_its_end_passes_it() -> None:
 
 
 def test_passing_pairs_are_state() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((0, 0), (10, 0)))
     world.add(Ball((-1, 0.5), radius=1, velocity=(1, -0.02)))
     world.run(3, dt=0.1)
-    twin = World()
+    twin = World(detection="discrete")
     twin.restore(world.snapshot())
     assert len(twin.run(2, dt=0.1)) == len(world.run(2, dt=0.1)) == 0
     assert twin.digest() == world.digest()
 
 
 def test_a_sensor_is_not_passed() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     wall = world.add(Segment((0, 0), (10, 0), sensor=True))
     ball = world.add(Ball((-1, 0.5), radius=1, velocity=(1, 0)))
     world.run(3, dt=0.1)
@@ -166,7 +166,7 @@ def test_a_sensor_is_not_passed() -> None:
 
 
 def test_a_gate_is_passed_round_its_bare_end_on_its_closed_side_too() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     gate = world.add(Gate((0, 0), (10, 0), direction=(0, -1)))
     ball = world.add(Ball((-1, -0.5), radius=1, velocity=(1, 0)))
     assert len(world.run(4, dt=0.1)) == 0

@@ -43,7 +43,7 @@ def test_balls_that_a_shape_pushes_far_out_of_their_grid_still_meet_each_other(m
 def test_the_grid_that_is_laid_ahead_holds_for_the_first_search_alone() -> None:
     positions = {}
     for phase in ("grid", "brute"):
-        world = carom.World(broad_phase=phase, substeps=3, iterations=4)
+        world = carom.World(detection="discrete", broad_phase=phase, substeps=3, iterations=4)
         world.add_balls(np.stack([1.7 * np.arange(9.0), np.zeros(9)], axis=1), (0.0, 0.0), radius=1.0)
         world.step(1 / 60)
         positions[phase] = world.balls.position
