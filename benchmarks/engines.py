@@ -25,7 +25,7 @@ class Engine(Protocol):
 
 
 class Carom:
-    """carom's discrete world, or its continuous one: one substep, the setup's iterations, guard points at ends of segments."""
+    """carom, discrete or continuous: one substep, the setup's iterations, guard points at ends of segments."""
 
     def __init__(self, setup: Setup, detection: str = "discrete") -> None:
         each = sqrt(setup.elasticity)

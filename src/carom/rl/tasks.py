@@ -9,6 +9,7 @@ from carom.errors import TaskError
 from carom.rl.descriptors import End, Impulse, Observation, Points, Reward, Spread, Travel, Turn
 from carom.rl.task import Task
 from carom.scene import scenes
+from carom.scene.scene import Scene
 
 #: How fast flippers turn up and down, in rad/s; as in the game.
 UP, DOWN = 22.0, 16.0

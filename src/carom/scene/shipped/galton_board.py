@@ -55,7 +55,7 @@ def galton(rows: int = 12, balls: int = 1000, seed: int = 0) -> Scene:
     return Scene(
         name="galton",
         world=WorldDescriptor(
-            detection="discrete",  # a thousand balls that fall on each other cost the continuous mode hundreds of times as much
+            detection="discrete",  # a thousand balls on each other cost the continuous mode hundreds of times more
             gravity=(0.0, -GRAVITY),
             substeps=_substeps(depth),
             rest_speed=REST_SPEED,
