@@ -27,7 +27,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     rest_of_cell,
 )
-from carom.world.kernels.step.motion import launch_ball, moved, put_ball, unsoundness
+from carom.world.kernels.step.motion import launch_ball, moved, note_met, put_ball, unsoundness
 from carom.world.kernels.step.narrow import Way, boxes_apart, meet_shape
 from carom.world.kernels.step.seams import overlap_beside_walls
 from carom.world.kernels.step.stages import enter_stage, lacks_room
@@ -291,12 +291,6 @@ def note_pairs_due(state: StateRow, mark: SavedRow) -> None:
     """Note in the first iteration that a ball's pairs are not due again: those of all balls are to come."""
     if state["iteration"] == 0:
         mark["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
-
-
-def note_met(mark: SavedRow, ball: BallRow) -> None:
-    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
-    mark["met_x"] = ball["x"]
-    mark["met_y"] = ball["y"]
 
 
 def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:
