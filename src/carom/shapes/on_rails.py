@@ -12,6 +12,8 @@ from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.shapes.named import Named
 from carom.shapes.rails import (
     ANGULAR_VELOCITY,
+    MOTION,
+    TIME_LEFT,
     VELOCITY_X,
     VELOCITY_Y,
     not_kinematic,
@@ -156,12 +158,24 @@ class OnRails(Named):
         self._refuse_part("angular_velocity", value)
         angular_velocity = number("angular_velocity", value)
         movers = self._carried
-        if angular_velocity != 0.0 and not movers[0]._is_kinematic():
+        first = movers[0]
+        table = first._table
+        begin, width, floats = table.at(first), table.width, table.floats
+        if angular_velocity != 0.0 and table.octets[8 * begin + MOTION] != KINEMATIC:
             raise not_kinematic("angular_velocity", value)
-        for mover in movers:
-            at = mover._halted()
-            mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
-        self._set_going(movers)
+        end = begin + len(movers) * width
+        # In a world the rows of a compound follow each other, and what is sent somewhere is sent as a whole: this is
+        # asked of flippers all the time.
+        if table.at(movers[-1]) == end - width and not floats[begin + TIME_LEFT] > 0.0:
+            for at in range(begin + ANGULAR_VELOCITY, end, width):
+                floats[at] = angular_velocity
+        else:
+            for mover in movers:
+                at = mover._halted()
+                mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
+        world = first._world
+        if world is not None:
+            world._set_going()
 
     @property
     def rotating(self) -> bool:

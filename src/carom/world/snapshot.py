@@ -213,7 +213,8 @@ def is_alike(world: World, contents: Contents) -> bool:
     if ids_and_kinds(arrays.balls.used, arrays.shapes.used) != contents.ids_and_kinds:
         return False
     names = {key: member._name for key, member in list(world._objects.items()) if member._name is not None}
-    return names == contents.names and all(contents.header.get(kind) == found for kind, found in wholes_of(world).items())
+    header = contents.header
+    return names == contents.names and all(header.get(kind) == wholes for kind, wholes in wholes_of(world).items())
 
 
 def _leave_others(world: World, contents: Contents) -> list[Shape | Ball]:
@@ -232,7 +233,8 @@ def fill(arrays: Arrays, contents: Contents) -> None:
     arrays.fill(contents.balls, contents.shapes)
     arrays.states[:1].view(np.uint8)[:] = contents.state.view(np.uint8)  # as bytes: records go field by field
     count = len(contents.hits)
-    arrays.hits = grown(contents.hits, count + 64, count)
+    if count > 0:
+        arrays.hits = grown(contents.hits, count + 64, count)
     arrays.states[0]["hits"] = count
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
@@ -245,8 +247,9 @@ def _keep_saved(arrays: Arrays, courses: Rows) -> None:
     if len(courses):
         for field in COURSE.names or ():
             arrays.flights[field][: len(courses)] = courses[field]
+    saved, balls = arrays.saved[:count], arrays.balls.used
     for field in ("x", "y", "vx", "vy"):
-        arrays.saved[field][:count] = courses[f"shown_{field}"] if len(courses) else arrays.balls.used[field]
+        saved[field] = courses[f"shown_{field}"] if len(courses) else balls[field]
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:

@@ -56,17 +56,17 @@ class WorldTable(RowTable[R]):
         if self._seen is not self.rows:
             self._look()
         index = owner._index
-        at = index * self._width
+        at = index * self.width
         if 0 <= index < self.count and self.whole[at + self._id] == owner._id:
             return at
         owner._index = index = self.find(owner._id)
-        return index * self._width
+        return index * self.width
 
     def id_at(self, index: int) -> int:
         """The id of the row with an index, which must be in use."""
         if self._seen is not self.rows:
             self._look()
-        return self.whole[index * self._width + self._id]
+        return self.whole[index * self.width + self._id]
 
     def find(self, member_id: int | None) -> int:
         """The index of the row with an id; raises `InvalidArgument` where there is none."""
