@@ -262,7 +262,7 @@ class Arrays:
         self.shape_table.drop(gone)
         known = self.layout.renumber(new)
         if known and state["taken"] + state["put"] == 0:
-            end = int(self.index[1]["members_end"])
+            end = int(self.index["members_end"].max())
             self.members[:end] = np.take(new, self.members[:end], mode="clip")
         else:
             state["index_stale"] = state["moving_stale"] = STALE
