@@ -147,11 +147,8 @@ def header_of(world: World) -> dict[str, Any]:
 def wholes_of(world: World) -> dict[str, list[dict[str, Any]]]:
     """Compounds and groups."""
     wholes: dict[str, list[dict[str, Any]]] = {"compounds": [], "groups": []}
-    added = list(world._added.values())
-    # Most worlds have few classes of shapes, and most of those are no assemblies: each is asked once.
-    assemblies = {each for each in set(map(type, added)) if issubclass(each, Assembly)}
-    for shape in added:
-        if type(shape) in assemblies:
+    for shape in list(world._added.values()):
+        if isinstance(shape, Assembly):
             parts = [part.id for part in shape._parts]
             wholes[f"{shape.kind}s"].append({"parts": parts, "name": shape.name, "surface": dict(shape._surface)})
     return wholes
@@ -231,7 +228,8 @@ def _leave_others(world: World, contents: Contents) -> list[Shape | Ball]:
 def fill(arrays: Arrays, contents: Contents) -> None:
     """Make tables what the contents say."""
     arrays.fill(contents.balls, contents.shapes)
-    arrays.states[:1].view(np.uint8)[:] = contents.state.view(np.uint8)  # as bytes: records go field by field
+    states: Rows = arrays.states  # type: ignore[assignment]  # as NumPy has it: records go field by field, bytes do not
+    states[:1].view(np.uint8)[:] = contents.state.view(np.uint8)
     count = len(contents.hits)
     if count > 0:
         arrays.hits = grown(contents.hits, count + 64, count)
