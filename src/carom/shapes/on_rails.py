@@ -163,17 +163,23 @@ class OnRails(Named):
         begin, width, floats = table.at(first), table.width, table.floats
         if angular_velocity != 0.0 and table.octets[8 * begin + MOTION] != KINEMATIC:
             raise not_kinematic("angular_velocity", value)
-        end = begin + len(movers) * width
-        # In a world the rows of a compound follow each other, and what is sent somewhere is sent as a whole: this is
-        # asked of flippers all the time.
-        if table.at(movers[-1]) == end - width and not floats[begin + TIME_LEFT] > 0.0:
-            for at in range(begin + ANGULAR_VELOCITY, end, width):
+        world, member = first._world, first._id or 0
+        together = world is not None and not floats[begin + TIME_LEFT] > 0.0
+        if together:
+            # In a world rows with ids that follow each other do so too, as those of most compounds; and what is sent
+            # somewhere is sent as a whole. This is asked of flippers all the time.
+            at = begin + ANGULAR_VELOCITY
+            for mover in movers:
+                if mover._id != member:
+                    together = False
+                    break
                 floats[at] = angular_velocity
-        else:
+                at += width
+                member += 1
+        if not together:
             for mover in movers:
                 at = mover._halted()
                 mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
-        world = first._world
         if world is not None:
             world._set_going()
 
