@@ -275,8 +275,8 @@ FEW_SHAPES = 16
 #: and balls', on the whole. More, and it is made anew less often, and shapes are looked at from farther off.
 REGION_WAY = 4.0
 
-#: The index of static shapes may grow by one in so many of its members and of the kinematic shapes before the index of
-#: these, which stands behind it, has to give way and is made anew.
+#: The index of static shapes may grow by one in so many of its members before it is made anew for want of room, and of
+#: the kinematic shapes too before the index of these, which stands behind it, has to give way and is made anew.
 INDEX_SLACK = 4
 
 #: Box tests that take as long as filing a shape in cells: where regions would cost balls more of them, shapes that have

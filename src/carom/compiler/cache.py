@@ -65,6 +65,21 @@ def cached(numba: Any, function: Kernel) -> Any:
     return kernel if Path(kernel.stats.cache_path).is_relative_to(folder) else None
 
 
+def can_keep() -> bool:
+    """Whether compiled code can be kept, as far as is seen without Numba."""
+    folder = cache_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return os.access(folder, os.W_OK)
+
+
+def may_be_kept(function: Kernel) -> bool:
+    """False where no code of a kernel is kept for sure, which is seen without Numba."""
+    return any(cache_folder().glob(f"*/*.{function.__name__}-*.nbi"))
+
+
 def uncached(numba: Any, function: Kernel) -> Any:
     """The function, to be compiled when it is called and forgotten when the process ends."""
     return numba.njit(pipeline_class=_pipeline(), **OPTIONS)(function)

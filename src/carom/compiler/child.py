@@ -50,7 +50,14 @@ class Work:
         """Note how the child ends."""
         status = self._process.wait()
         self.seconds = time.perf_counter() - self._began
-        self.status = status
+        try:
+            if status == 0:
+                # What it has made is read by Numba, and to import that takes as long as many frames of a game.
+                from carom.compiler.door import warm
+
+                warm()
+        finally:
+            self.status = status
 
     def names(self) -> str:
         """The kernels in words."""

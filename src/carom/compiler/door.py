@@ -8,7 +8,9 @@ are with `NUMBA_DISABLE_JIT=1` and without Numba.
 from __future__ import annotations
 
 import ctypes
+import importlib.util
 import os
+import sys
 import threading
 from collections.abc import Callable
 from functools import cached_property
@@ -20,7 +22,7 @@ from carom import checks
 from carom.compiler import child, prebuilt
 from carom.compiler.behind import Behind, NotKept, Size
 from carom.compiler.block import Block
-from carom.compiler.cache import cache_folder, cached, forget, uncached
+from carom.compiler.cache import cache_folder, cached, can_keep, forget, may_be_kept, uncached
 from carom.compiler.kernels import Kernel, kernel_functions
 from carom.compiler.lock import claimed
 from carom.compiler.teller import Teller
@@ -112,14 +114,28 @@ def _opened(function: Kernel, size: Size, way_in: type[Entry]) -> Kernel:
     kernel = ready_made(function)
     if kernel is not None:
         return way_in.ready_made(kernel)
-    numba = None if chosen == OFF else _numba()
     interpreted = way_in.interpreted(function)
+    if chosen == BACKGROUND and child.possible() and _is_at_hand() and can_keep():
+        return Behind(function, interpreted, size, Later(function, interpreted, way_in), _compiling)
+    numba = None if chosen == OFF else _numba()
     if numba is None:
         return interpreted
     entry = way_in(numba, function)
     if chosen == BACKGROUND and entry.lasting and child.possible():
         return Behind(function, interpreted, size, entry, _compiling)
     return _first_call(entry)
+
+
+def _is_at_hand() -> bool:
+    """Whether Numba is there, is not switched off, and was not imported yet."""
+    if "numba" in sys.modules or os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
+        return False
+    return importlib.util.find_spec("numba") is not None
+
+
+def warm() -> None:
+    """Import Numba where nobody waits for it."""
+    _numba()
 
 
 def _numba() -> Any:
@@ -149,7 +165,9 @@ def _quiet(function: Kernel) -> Kernel:
 
 def register_once(numba: Any) -> None:
     """Tell Numba that it may compile the kernels' callees; the functions themselves stay plain Python."""
-    if not _registered:
+    with _compiling:
+        if _registered:
+            return
         _registered.extend(kernel_functions())
         from carom.compiler import entered
         from carom.compiler.pipelines import CalleePipeline
@@ -274,6 +292,34 @@ class Entry:
         """The kernel, which `load` returns from now on."""
         _loaded[self._function] = kernel
         return kernel
+
+
+class Later:
+    """Where a kernel comes from as in an `Entry`, for which Numba is imported once it has something to do.
+
+    That takes longer than the first steps do, interpreted.
+    """
+
+    def __init__(self, function: Kernel, interpreted: Kernel, way_in: type[Entry]) -> None:
+        self._function = function
+        self._interpreted = interpreted
+        self._way_in = way_in
+
+    @cached_property
+    def _entry(self) -> Entry | None:
+        """The entry; None where Numba turns out not to be of use."""
+        numba = _numba()
+        return None if numba is None else self._way_in(numba, self._function)
+
+    def kept(self, arguments: tuple[Any, ...]) -> Kernel:
+        """The kernel for some arguments as it is kept on disk; raises `NotKept` where it is not."""
+        if not may_be_kept(self._function) or self._entry is None:
+            raise NotKept
+        return self._entry.kept(arguments)
+
+    def made(self, arguments: tuple[Any, ...]) -> tuple[Kernel, float]:
+        """The kernel compiled for some arguments, and how many seconds that took."""
+        return (self._interpreted, 0.0) if self._entry is None else self._entry.made(arguments)
 
 
 class At:

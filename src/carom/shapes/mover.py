@@ -14,6 +14,7 @@ from carom.rows.shape import KINEMATIC, SHAPE, STATIC, Motion, ShapeRow
 from carom.shapes.member import Member
 from carom.shapes.on_rails import OnRails
 from carom.shapes.rails import (
+    MOTION,
     TIME_LEFT,
     halt,
     motion_value,
@@ -28,10 +29,6 @@ if TYPE_CHECKING:
     from carom.shapes.assembly import Assembly
     from carom.shapes.compound import Compound
     from carom.shapes.group import Group
-
-
-#: The byte of a row that says how the shape moves.
-MOTION = int(cast("dict[str, tuple[object, int]]", SHAPE.fields)["motion"][1])
 
 
 class Geometry(TypedDict, total=False):

@@ -12,6 +12,8 @@ from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.shapes.named import Named
 from carom.shapes.rails import (
     ANGULAR_VELOCITY,
+    MOTION,
+    TIME_LEFT,
     VELOCITY_X,
     VELOCITY_Y,
     not_kinematic,
@@ -156,12 +158,30 @@ class OnRails(Named):
         self._refuse_part("angular_velocity", value)
         angular_velocity = number("angular_velocity", value)
         movers = self._carried
-        if angular_velocity != 0.0 and not movers[0]._is_kinematic():
+        first = movers[0]
+        table = first._table
+        begin, width, floats = table.at(first), table.width, table.floats
+        if angular_velocity != 0.0 and table.octets[8 * begin + MOTION] != KINEMATIC:
             raise not_kinematic("angular_velocity", value)
-        for mover in movers:
-            at = mover._halted()
-            mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
-        self._set_going(movers)
+        world, member = first._world, first._id or 0
+        together = world is not None and not floats[begin + TIME_LEFT] > 0.0
+        if together:
+            # In a world rows with ids that follow each other do so too, as those of most compounds; and what is sent
+            # somewhere is sent as a whole. This is asked of flippers all the time.
+            at = begin + ANGULAR_VELOCITY
+            for mover in movers:
+                if mover._id != member:
+                    together = False
+                    break
+                floats[at] = angular_velocity
+                at += width
+                member += 1
+        if not together:
+            for mover in movers:
+                at = mover._halted()
+                mover._table.floats[at + ANGULAR_VELOCITY] = angular_velocity
+        if world is not None:
+            world._set_going()
 
     @property
     def rotating(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import cos, isfinite, sin
-from typing import Any
+from typing import Any, cast
 
 from carom.checks import flag, number, one_of, pair, refuse
 from carom.errors import InvalidArgument
@@ -16,6 +16,9 @@ from carom.typing import Vector
 ANGULAR_VELOCITY, VELOCITY_X, VELOCITY_Y, TIME_LEFT = (
     word_of(SHAPE, field) for field in ("angular_velocity", "velocity_x", "velocity_y", "time_left")
 )
+
+#: The byte of a row that says how the shape moves.
+MOTION = int(cast("dict[str, tuple[object, int]]", SHAPE.fields)["motion"][1])
 
 _MOTIONS = {"static": STATIC, "kinematic": KINEMATIC}
 

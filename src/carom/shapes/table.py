@@ -48,9 +48,10 @@ class RowTable(Generic[R]):
         floats: All rows as floats, from the one that `at` names on.
         whole: The same as whole numbers.
         octets: The same as bytes, eight for each of the others.
+        width: How many words of 64 bits a row has.
     """
 
-    __slots__ = ("_seen", "_width", "floats", "octets", "rows", "whole")
+    __slots__ = ("_seen", "floats", "octets", "rows", "whole", "width")
 
     floats: memoryview[float]
     whole: memoryview[int]
@@ -59,7 +60,7 @@ class RowTable(Generic[R]):
     def __init__(self, rows: Rows) -> None:
         self.rows = rows
         self._seen: Rows | None = None
-        self._width = rows.dtype.itemsize // 8
+        self.width = rows.dtype.itemsize // 8
 
     @classmethod
     def of_row(cls, row: R) -> Self:
@@ -72,11 +73,11 @@ class RowTable(Generic[R]):
         """The word of `floats` and `whole` at which `owner`'s row begins; to be asked before these are read."""
         if self._seen is not self.rows:
             self._look()
-        return owner._index * self._width
+        return owner._index * self.width
 
     def index(self, owner: Owner) -> int:
         """The index of `owner`'s row in `rows`."""
-        return self.at(owner) // self._width
+        return self.at(owner) // self.width
 
     def row(self, owner: Owner) -> R:
         """`owner`'s row, as a view that can be written to."""
@@ -86,7 +87,7 @@ class RowTable(Generic[R]):
     def copied(self, owner: Owner) -> R:
         """A copy of `owner`'s row."""
         at = self.at(owner)
-        row: R = np.frombuffer(bytearray(self.whole[at : at + self._width]), self.rows.dtype)[0]
+        row: R = np.frombuffer(bytearray(self.whole[at : at + self.width]), self.rows.dtype)[0]
         return row
 
     def _look(self) -> None:

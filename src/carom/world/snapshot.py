@@ -28,7 +28,7 @@ from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.world.departed import Departed
 from carom.world.removal import relations_in_order, set_relations
-from carom.world.snapshot_check import DERIVED, Contents, check_contents
+from carom.world.snapshot_check import DERIVED, Contents, check_contents, ids_and_kinds
 from carom.world.tables import Arrays, grown
 
 if TYPE_CHECKING:
@@ -141,12 +141,17 @@ def _courses(arrays: Arrays) -> Rows:
 def header_of(world: World) -> dict[str, Any]:
     """Names, compounds and groups."""
     names = {str(key): member._name for key, member in list(world._objects.items()) if member._name is not None}
+    return {"names": names, **wholes_of(world)}
+
+
+def wholes_of(world: World) -> dict[str, list[dict[str, Any]]]:
+    """Compounds and groups."""
     wholes: dict[str, list[dict[str, Any]]] = {"compounds": [], "groups": []}
     for shape in list(world._added.values()):
         if isinstance(shape, Assembly):
             parts = [part.id for part in shape._parts]
             wholes[f"{shape.kind}s"].append({"parts": parts, "name": shape.name, "surface": dict(shape._surface)})
-    return {"names": names, **wholes}
+    return wholes
 
 
 def read(snapshot: Any) -> Contents:
@@ -183,31 +188,51 @@ def read_snapshot(world: World, snapshot: bytes) -> None:
     """Make a world what the snapshot says, or raise `SnapshotError` and leave it as it was."""
     contents = read(snapshot)
     arrays = world._arrays
+    if is_alike(world, contents):
+        fill(arrays, contents)
+        left = None
+    else:
+        left = _leave_others(world, contents)
+        fill(arrays, contents)
+    # Ids that were given after the snapshot was taken will be given again, to others.
+    world._departed = Departed()
+    world._lent = None
+    if len(world._left):
+        world._left = contents.balls[:0].copy()
+    world._forget_block()
+    if left is not None:
+        _restore_objects(world, contents, left)
+
+
+def is_alike(world: World, contents: Contents) -> bool:
+    """True if a world has the members, names, compounds and groups of a snapshot, and only its numbers may differ."""
+    arrays = world._arrays
+    if ids_and_kinds(arrays.balls.used, arrays.shapes.used) != contents.ids_and_kinds:
+        return False
+    names = {key: member._name for key, member in list(world._objects.items()) if member._name is not None}
+    header = contents.header
+    return names == contents.names and all(header.get(kind) == wholes for kind, wholes in wholes_of(world).items())
+
+
+def _leave_others(world: World, contents: Contents) -> list[Shape | Ball]:
+    """The members of a world that a snapshot does not have, which leave it."""
     kinds = dict(zip(contents.shapes["id"].tolist(), contents.shapes["kind"].tolist(), strict=True))
     kinds.update(dict.fromkeys(contents.balls["id"].tolist(), Ball._KIND))
     left = [member for key, member in list(world._objects.items()) if kinds.get(key) != member._KIND]
     world._objects = {key: member for key, member in list(world._objects.items()) if kinds.get(key) == member._KIND}
-    shapes = arrays.shapes.used
-    alike = all(np.array_equal(shapes[field], contents.shapes[field]) for field in ("id", "kind"))
-    alike = alike and header_of(world) == contents.header
     for member in left:
         member._leave()
-    fill(arrays, contents)
-    # Ids that were given after the snapshot was taken will be given again, to others.
-    world._departed = Departed()
-    world._lent = None
-    world._left = contents.balls[:0].copy()
-    world._forget_block()
-    if not alike:
-        _restore_objects(world, contents, left)
+    return left
 
 
 def fill(arrays: Arrays, contents: Contents) -> None:
     """Make tables what the contents say."""
     arrays.fill(contents.balls, contents.shapes)
-    arrays.states[0] = contents.state[0]
+    states: Rows = arrays.states  # type: ignore[assignment]  # as NumPy has it: records go field by field, bytes do not
+    states[:1].view(np.uint8)[:] = contents.state.view(np.uint8)
     count = len(contents.hits)
-    arrays.hits = grown(contents.hits, count + 64, count)
+    if count > 0:
+        arrays.hits = grown(contents.hits, count + 64, count)
     arrays.states[0]["hits"] = count
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
@@ -217,10 +242,12 @@ def fill(arrays: Arrays, contents: Contents) -> None:
 def _keep_saved(arrays: Arrays, courses: Rows) -> None:
     """Fill in the flights, and the copy by which the next step sees whether balls were changed through views."""
     count = arrays.balls.count
-    for field in COURSE.names or ():
-        arrays.flights[field][: len(courses)] = courses[field]
+    if len(courses):
+        for field in COURSE.names or ():
+            arrays.flights[field][: len(courses)] = courses[field]
+    saved, balls = arrays.saved[:count], arrays.balls.used
     for field in ("x", "y", "vx", "vy"):
-        arrays.saved[field][:count] = courses[f"shown_{field}"] if len(courses) else arrays.balls.used[field]
+        saved[field] = courses[f"shown_{field}"] if len(courses) else balls[field]
 
 
 def _restore_objects(world: World, contents: Contents, left: list[Shape | Ball]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import isclose
 from typing import Any, cast
 
@@ -45,7 +45,7 @@ FLOATS = [word_of(SHAPE, field) for field in SHAPE.names or () if SHAPE[field].k
 ROWS_KEPT = 1024
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Contents:
     """What a snapshot holds: names, compounds and groups, and the tables of a world."""
 
@@ -57,10 +57,25 @@ class Contents:
     hits: Rows
     courses: Rows
 
+    @cached_property
+    def ids_and_kinds(self) -> tuple[bytes, ...]:
+        """The ids of the balls, those of the shapes, and the kinds of these."""
+        return ids_and_kinds(self.balls, self.shapes)
+
+    @cached_property
+    def names(self) -> dict[int, str]:
+        """The names of members, by their ids."""
+        return {int(key): name for key, name in self.header["names"].items()}
+
     @property
     def relation_list(self) -> list[Relation]:
         """The relations as they are outside of a pool."""
         return [(int(kind), int(ball), int(other), *force) for kind, ball, other, *force in self.relations.tolist()]
+
+
+def ids_and_kinds(balls: Rows, shapes: Rows) -> tuple[bytes, ...]:
+    """The ids of balls, those of shapes, and the kinds of these."""
+    return balls["id"].tobytes(), shapes["id"].tobytes(), shapes["kind"].tobytes()
 
 
 def check_contents(contents: Contents) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import carom
-from carom.compiler import door
+from carom.compiler import cache, child, door
 from carom.world.kernels.broad_phase.grid import cell_of
 from tests import fresh
 from tests.unit.compiler.one_kernel import ONE_KERNEL, STEPS, one_kernel
@@ -84,6 +84,27 @@ def test_without_a_compiler_it_is_said_where_one_was_asked_for(monkeypatch: pyte
     assert not carom.compiling()
     with pytest.raises(carom.CompileError, match="Numba is not installed"):
         carom.compile()
+
+
+@pytest.mark.compiled
+def test_what_is_interpreted_at_first_does_not_wait_for_the_compiler_to_be_imported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reopened(monkeypatch, "background")
+    monkeypatch.setenv("CAROM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(child, "ask", lambda function: True)
+    monkeypatch.delitem(sys.modules, "numba", raising=False)
+    imported: list[str] = []
+    monkeypatch.setattr(door, "_numba", lambda: imported.append("numba"))
+    kernel = door.load(cell_of)
+    assert kernel(7.5, 0.5) == 3
+    assert not imported
+    # Once there is code to be read it is; where it turns out not to be of use, the kernel stays interpreted.
+    (tmp_path / "made").mkdir()
+    monkeypatch.setattr(cache, "cache_folder", lambda: tmp_path)
+    (tmp_path / "made" / f"entered.{cell_of.__name__}-1.py311.nbi").touch()
+    assert kernel(7.5, 0.5) == 3
+    assert imported == ["numba"]
 
 
 @pytest.mark.compiled

@@ -22,6 +22,17 @@ def test_a_grown_table_begins_with_what_was_there() -> None:
     assert larger.tolist() == [[0, 1], [2, 3], [0, 0], [0, 0], [0, 0]]
 
 
+@pytest.mark.parametrize(("shape", "dtype"), [((3,), BALL), ((3, 2), "u4"), ((0,), BALL)])
+def test_a_grown_table_begins_where_a_line_of_memory_does(shape: tuple[int, ...], dtype: str) -> None:
+    rows = np.ones(shape, dtype)
+    larger = grown(rows, 7, len(rows))
+    assert larger.shape == (7, *shape[1:])
+    assert larger.dtype == rows.dtype
+    assert larger.ctypes.data % 64 == 0
+    assert (larger[: len(rows)] == rows).all()
+    assert not any(larger[len(rows) :].tobytes())
+
+
 def test_rows_are_found_by_their_ids() -> None:
     table = table_of([2, 5, 9])
     assert [table.find(member) for member in (2, 5, 9)] == [0, 1, 2]

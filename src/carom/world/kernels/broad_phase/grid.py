@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import fabs, floor
 
 from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GOLDEN_SECTION, GRID_CELLS_AHEAD, GRID_CELLS_PER_BALL
+from carom.geometry.vector import larger, smaller
 from carom.rows.ball import BallRow
 from carom.rows.index import PairTables, SlotRow
 from carom.rows.state import StateRow
@@ -231,20 +232,22 @@ def list_crowded(
         x, y, radius = float(slot["x"]), float(slot["y"]), float(slot["radius"])
         cell = int(slot["cell"])
         first = (cell + stride - 1) & mask
-        odd = mask != -1 and (cell + 2 > size or first + 3 > size)
+        if mask != -1 and (cell + 2 > size or first + 3 > size):
+            slots[listed]["cell"] = k
+            listed += 1
+            continue
         # Slots of a cell and of the one to its right lie side by side, and so do the three cells of the next line.
-        begin = k + 1
-        end = begin if odd else int(starts[cell + 2])
-        above = begin if odd else int(starts[first])
-        last = begin if odd else int(starts[first + 3])
+        begin, end = k + 1, int(starts[cell + 2])
+        above, last = int(starts[first]), int(starts[first + 3])
         tests += end - begin + last - above
         # Most balls have no more candidates than `OWN_LINE` and `NEXT_LINE`, and none is a pair: so much is seen
         # without a branch. What is no candidate, or in the upper half of the slots, does no harm.
-        near = boxes_meet(slots[begin], x, y, radius) | boxes_meet(slots[begin + 1], x, y, radius)
-        near |= boxes_meet(slots[above], x, y, radius) | boxes_meet(slots[above + 1], x, y, radius)
-        near |= boxes_meet(slots[above + 2], x, y, radius)
+        gap = smaller(gap_between(slots[begin], x, y, radius), gap_between(slots[begin + 1], x, y, radius))
+        gap = smaller(gap, gap_between(slots[above], x, y, radius))
+        gap = smaller(gap, gap_between(slots[above + 1], x, y, radius))
+        gap = smaller(gap, gap_between(slots[above + 2], x, y, radius))
         slots[listed]["cell"] = k
-        listed += int(odd | near | (end - begin > OWN_LINE) | (last - above > NEXT_LINE))
+        listed += int((gap <= 0.0) | (end - begin > OWN_LINE) | (last - above > NEXT_LINE))
     state["box_tests"] += tests
     return listed - total
 
@@ -303,6 +306,12 @@ def boxes_meet(slot: SlotRow, x: float, y: float, radius: float) -> bool:
     """True if the boxes of a sorted ball and of one at (x, y) overlap, as `may_touch` says, without a branch."""
     reach = radius + float(slot["radius"])
     return (fabs(float(slot["x"]) - x) <= reach) & (fabs(float(slot["y"]) - y) <= reach)
+
+
+def gap_between(slot: SlotRow, x: float, y: float, radius: float) -> float:
+    """How far apart the boxes of a sorted ball and of one at (x, y) are; 0 or less where `boxes_meet` is true."""
+    across, along = fabs(float(slot["x"]) - x), fabs(float(slot["y"]) - y)
+    return larger(across, along) - (radius + float(slot["radius"]))
 
 
 def cell_number(x: float, y: float, inverse_side: float, level: int, stride: int, mask: int) -> int:

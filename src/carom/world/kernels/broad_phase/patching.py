@@ -54,7 +54,6 @@ def patch_index(
         return True
     if entry["members_end"] + more > len(members):
         return False
-    make_gaps(entry, cells, members, more)
     for k in range(begin, end):
         put_in(shapes, order[k], entry, cells, members)
     return True
@@ -116,32 +115,37 @@ def take_out(
 
 
 def announce(shape: ShapeRow, entry: IndexRow, cells: Table[CellRow]) -> int:
-    """The number of cells that a shape is to be put into, each of which is told."""
+    """The room that the cells need which a shape is to be put into, each of which is told.
+
+    A cell that is told first needs as much as it has members, for all of them move.
+    """
     near = reach_of_cell(entry)
     first_column, last_column, first_line, last_line = cells_around(shape, entry)
-    count = 0
+    room = 0
     for line in range(first_line, last_line + 1):
         for column in range(first_column, last_column + 1):
             if comes_near(shape, entry, column, line, near):
-                cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]["depth"] += 1
-                count += 1
-    return count
+                cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
+                room += 1 if cell["depth"] > 0 else int(cell["end"] - cell["begin"]) + 1
+                cell["depth"] += 1
+    return room
 
 
-def make_gaps(entry: IndexRow, cells: Table[CellRow], members: Table[int], more: int) -> None:
-    """Move the members of the cells apart, so that behind those of each there is room for what it was told of."""
-    entry["members_end"] += more
-    cell = int(entry["cells_end"]) - 1
-    while more > 0:
-        # From the last cell to the first: each moves by what the cells before it are still to get.
-        more -= int(cells[cell]["depth"])
-        begin, end = int(cells[cell]["begin"]), int(cells[cell]["end"])
-        if more > 0:
-            for k in range(end - 1, begin - 1, -1):
-                members[k + more] = members[k]
-            cells[cell]["begin"] = begin + more
-            cells[cell]["end"] = end + more
-        cell -= 1
+def move_members(entry: IndexRow, cell: CellRow, members: Table[int]) -> None:
+    """Move a cell's members behind all others, where there is room for those that it was told of.
+
+    To make room where they are, the members of all cells behind it would have to move. What is left behind is of no
+    use until the index is made anew.
+    """
+    begin = int(entry["members_end"])
+    end = begin
+    for k in range(cell["begin"], cell["end"]):
+        members[end] = members[k]
+        end += 1
+    entry["members_end"] = end + int(cell["depth"])
+    cell["begin"] = begin
+    cell["end"] = end
+    cell["depth"] = 0
 
 
 def put_in(
@@ -155,6 +159,8 @@ def put_in(
         for column in range(first_column, last_column + 1):
             if comes_near(shape, entry, column, line, near):
                 cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
+                if cell["depth"] > 0:
+                    move_members(entry, cell, members)
                 begin, k = int(cell["begin"]), int(cell["end"])
                 while k > begin and is_met_later(shapes, int(members[k - 1]), row):
                     members[k] = members[k - 1]
@@ -162,7 +168,6 @@ def put_in(
                 members[k] = row
                 mark_parts(cell, shape, entry, column, line)
                 cell["end"] += 1
-                cell["depth"] -= 1
                 entry["longest"] = max(entry["longest"], cell["end"] - begin)
                 if entry["measured"] != 0:
                     lower_clear(entry, cells, column, line)

@@ -16,6 +16,7 @@ from carom.constants import (
     INDEX_CELLS_MOST,
     INDEX_CELLS_PER_SHAPE,
     INDEX_MARGIN,
+    INDEX_SLACK,
     PART_MARGIN,
     ROUNDING,
 )
@@ -171,10 +172,13 @@ def find_free(shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin
     """
     reach = float(entry["reach"])
     left, bottom, right, top = -inf, -inf, inf, inf
-    if begin < end:
+    many = end - begin > FEW_FIXED
+    if many:
+        left, bottom, right, top = inf, inf, -inf, -inf
+    elif begin < end:
         left, bottom, right, top = index_box(shapes, order, begin, end, reach)
-    reach = reach * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom)) if begin < end else 0.0
-    for k in range(begin, end if end - begin <= FEW_FIXED else begin):
+        reach = reach * INDEX_MARGIN + 4.0 * ROUNDING * (fabs(left) + fabs(bottom))
+    for k in range(begin, begin if many else end):
         shape = shapes[order[k]]
         low_x, low_y = float(shape["left"]) - reach, float(shape["bottom"]) - reach
         high_x, high_y = float(shape["right"]) + reach, float(shape["top"]) + reach
@@ -192,8 +196,6 @@ def find_free(shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin
             top = low_y
         else:
             bottom = high_y
-    if end - begin > FEW_FIXED:
-        left, right = inf, -inf
     entry["free_left"] = left
     entry["free_bottom"] = bottom
     entry["free_right"] = right
@@ -287,7 +289,9 @@ def build_grid(
         return False
     for k in range(begin, end):
         mark_cells(shapes[order[k]], order[k], entry, cells, members, False)
-    if not share_members(state, entry, cells, len(members)):
+    # Changes put members behind all others: see `move_members`.
+    if not share_members(state, entry, cells, len(members) - len(members) // INDEX_SLACK):
+        state["wanted_members"] = max(int(state["wanted_members"]), len(members) + 1)
         return False
     for k in range(begin, end):
         mark_cells(shapes[order[k]], order[k], entry, cells, members, True)

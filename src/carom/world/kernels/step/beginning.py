@@ -15,7 +15,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import DONE, GRID, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import lay_grid
-from carom.world.kernels.step.motion import launch_ball, moved, wake_all
+from carom.world.kernels.step.motion import launch_ball, moved, note_met, wake_all
 from carom.world.kernels.step.rollback import call_back, save, save_ball, save_balls
 from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound
 from carom.world.kernels.step.times import substep_length
@@ -107,14 +107,17 @@ def look_at_balls(
         smallest, largest = smaller(smallest, radius), larger(largest, radius)
         braked += int(ball["friction"] != OF_WORLD)
         kept = saved[i]
-        if awake:
-            save_ball(ball, kept)
         if ahead:
-            state["cursor"] = i + 1
+            # All is read before anything is written, so that neighbouring numbers go together.
             x, y, vx, vy = moved(ball, duration, gravity_x, gravity_y)
+            save_ball(ball, kept)
+            state["cursor"] = i + 1
             launch_ball(ball, kept, slots[total + i], i, x, y, vx, vy)
             left, bottom = smaller(left, x), smaller(bottom, y)
             right, top = larger(right, x), larger(top, y)
+        elif awake:
+            save_ball(ball, kept)
+            note_met(kept, ball)
     state["grid_size"] = 0
     if ahead and state["broad_phase"] == GRID:
         lay_grid(state, left, bottom, right, top, smallest, largest)

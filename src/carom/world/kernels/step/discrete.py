@@ -294,10 +294,10 @@ def prefetch_pair(balls: Table[BallRow], saved: Table[SavedRow], pairs: Pairs, k
     """Have the rows of a pair's balls near when its turn comes: in a crowd they are far from those of the last."""
     for side in range(2):
         row = int(pairs[k, side])
+        prefetch(saved, row)
         prefetch(balls, row)
-        # Rows do not begin where what comes from memory at once does: the end of each comes with the next one.
+        # A ball's row lies in two lines, the second of which has the beginning of the next row or is that row's first.
         prefetch(balls, row + 1)
-        prefetch(saved, row + 1)
 
 
 def finish(

@@ -51,13 +51,20 @@ def put_ball(ball: BallRow, x: float, y: float, vx: float, vy: float) -> None:
 
 def launch_ball(ball: BallRow, mark: SavedRow, slot: SlotRow, i: int, x: float, y: float, vx: float, vy: float) -> None:
     """Move the ball in row `i` in a substep, and note where that leaves it, shapes aside, and in a slot."""
+    radius = float(ball["radius"])
     put_ball(ball, x, y, vx, vy)
     mark["met_x"] = x
     mark["met_y"] = y
     slot["x"] = x
     slot["y"] = y
-    slot["radius"] = ball["radius"]
+    slot["radius"] = radius
     slot["ball"] = i
+
+
+def note_met(mark: SavedRow, ball: BallRow) -> None:
+    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
+    mark["met_x"] = ball["x"]
+    mark["met_y"] = ball["y"]
 
 
 def unsoundness(x: float, y: float, vx: float, vy: float) -> float:

@@ -8,7 +8,7 @@ from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.step.motion import put_ball
+from carom.world.kernels.step.motion import note_met, put_ball
 from carom.world.kernels.step.soundness import is_in_reach, is_sound
 from carom.world.kernels.step.spending import unspend
 
@@ -17,21 +17,22 @@ def save_balls(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -
     """Keep what a step may change in the balls."""
     for i in range(state["balls"]):
         save_ball(balls[i], saved[i])
+        note_met(saved[i], balls[i])
 
 
 def save_ball(ball: BallRow, kept: SavedRow) -> None:
-    """The same of one ball."""
-    kept["x"] = ball["x"]
-    kept["y"] = ball["y"]
-    kept["vx"] = ball["vx"]
-    kept["vy"] = ball["vy"]
-    kept["still_time"] = ball["still_time"]
-    kept["relation"] = ball["relation"]
-    kept["asleep"] = ball["asleep"]
-    kept["stray"] = ball["stray"]
+    """The same of one ball, but for where it has met the shapes."""
+    x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
+    still_time, relation, asleep, stray = ball["still_time"], ball["relation"], ball["asleep"], ball["stray"]
+    kept["x"] = x
+    kept["y"] = y
+    kept["vx"] = vx
+    kept["vy"] = vy
+    kept["still_time"] = still_time
+    kept["relation"] = relation
+    kept["asleep"] = asleep
+    kept["stray"] = stray
     kept["touched"] = 0
-    kept["met_x"] = ball["x"]
-    kept["met_y"] = ball["y"]
 
 
 def call_back(state: StateRow, balls: Table[BallRow], saved: Table[SavedRow]) -> None:

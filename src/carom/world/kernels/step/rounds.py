@@ -8,6 +8,7 @@ from carom.rows.hit import HitRow
 from carom.rows.index import IndexRow, PairTables, ShapeIndex, SlotRow
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
+from carom.rows.prefetch import prefetch
 from carom.rows.relation import RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -27,11 +28,14 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     rest_of_cell,
 )
-from carom.world.kernels.step.motion import launch_ball, moved, put_ball, unsoundness
+from carom.world.kernels.step.motion import launch_ball, moved, note_met, put_ball, unsoundness
 from carom.world.kernels.step.narrow import Way, boxes_apart, meet_shape
 from carom.world.kernels.step.seams import overlap_beside_walls
 from carom.world.kernels.step.stages import enter_stage, lacks_room
 from carom.world.kernels.step.times import substep_length
+
+#: So many balls ahead of one that meets shapes again, rows are brought near.
+DUE_AHEAD = 8
 
 
 def meet_all_shapes(
@@ -64,8 +68,13 @@ def meet_all_shapes(
     if state["stage_entered"] == 0:
         state["near"] = state["balls"] if first else list_due(state, slots, saved)
         state["stage_entered"] = 1
+    last = int(state["near"]) - 1
     for k in range(state["cursor"], state["near"]):
         i = k if first else int(slots[k]["ball"])
+        if not first:
+            ahead = int(slots[min(k + DUE_AHEAD, last)]["ball"])
+            prefetch(balls, ahead)
+            prefetch(saved, ahead)
         ball, mark = balls[i], saved[i]
         if ball["asleep"] != 0:
             note_pairs_due(state, mark)
@@ -291,12 +300,6 @@ def note_pairs_due(state: StateRow, mark: SavedRow) -> None:
     """Note in the first iteration that a ball's pairs are not due again: those of all balls are to come."""
     if state["iteration"] == 0:
         mark["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
-
-
-def note_met(mark: SavedRow, ball: BallRow) -> None:
-    """Note where a ball is that has met the shapes; what pushes it from there on is other balls."""
-    mark["met_x"] = ball["x"]
-    mark["met_y"] = ball["y"]
 
 
 def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:

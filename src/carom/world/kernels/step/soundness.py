@@ -40,9 +40,10 @@ def is_good(ball: BallRow) -> bool:
     radius, mass = float(ball["radius"]), float(ball["mass"])
     elasticity, friction = float(ball["elasticity"]), float(ball["friction"])
     fit = radius > 0.0 and mass > 0.0 and elasticity >= 0.0 and (friction == OF_WORLD or friction >= 0.0)
-    # Zero times what is not finite is NaN, so this is zero if all are finite.
+    # Zero times what is not finite is NaN, so this is zero if all are finite; two products are there sooner than one.
     motion = 0.0 * float(ball["x"]) * float(ball["y"]) * float(ball["vx"]) * float(ball["vy"])
-    return fit and motion * radius * mass * elasticity * friction == 0.0
+    measures = 0.0 * radius * mass * elasticity * friction
+    return fit and motion + measures == 0.0
 
 
 def is_in_reach(shape: ShapeRow) -> bool:

@@ -7,8 +7,10 @@ import numpy as np
 from carom.constants import CELL_CLAMP, CELL_SIDE, FINEST_LEVEL, GRID_CELLS_PER_BALL
 from carom.rows.index import SLOT
 from carom.world.kernels.broad_phase.grid import (
+    boxes_meet,
     cell_of,
     count_ball,
+    gap_between,
     grid_ahead,
     grid_size,
     lay_grid,
@@ -76,3 +78,18 @@ def test_a_ball_may_leave_a_grid_laid_ahead_by_its_width_and_not_by_much_more() 
     for slot["x"] in (-2.1, 6.1):
         slot["y"] = 1.0
         assert not count_ball(grid_ahead(state), slot, starts)
+
+
+def test_boxes_that_meet_have_no_gap_between_them_to_the_last_bit() -> None:
+    random = np.random.default_rng(3)
+    slots = np.zeros(400, SLOT)
+    slots["radius"] = random.choice([0.1, 0.3, 0.7, 1e-300], 400)
+    for name in ("x", "y"):
+        slots[name] = random.choice([0.0, 0.1 + 0.3, 0.4, 0.7 + 0.3, 1.0, np.nextafter(1.0, 2.0), -1.4, 1e-300], 400)
+    found = {True: 0, False: 0}
+    for slot in slots:
+        x, y, radius = float(slots[0]["x"]), 0.4, 0.3
+        meet = bool(boxes_meet(slot, x, y, radius))
+        assert (gap_between(slot, x, y, radius) <= 0.0) == meet
+        found[meet] += 1
+    assert min(found.values()) > 20

@@ -126,3 +126,16 @@ def test_a_shape_is_met_after_those_of_lower_kinds_and_rows(row: int, other: int
     world = carom.World(detection="discrete")
     world.add(carom.Point((0, 0)), carom.Point((1, 0)), carom.Circle((0, 0), 1))
     assert is_met_later(world._arrays.shapes.rows, row, other) is later
+
+
+def test_what_comes_moves_the_members_of_its_own_cells_alone() -> None:
+    world = field()
+    arrays = world._arrays
+    cells = arrays.cells[: int(arrays.index[0]["cells_end"])]
+    before = cells["begin"].copy()
+    world.add(carom.Point((2, 2)))
+    assert patched(world)
+    row = arrays.shape_table.count - 1
+    moved = cells[cells["begin"] != before]
+    assert len(moved) > 0
+    assert all(row in arrays.members[cell["begin"] : cell["end"]] for cell in moved)
