@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from math import ceil, sqrt
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,8 @@ import numpy as np
 import carom
 from benchmarks.common import Figure, race
 from benchmarks.engines import Carom, engines
-from benchmarks.pinball import pinball
+from benchmarks.pinball import HEIGHT, WIDTH, pinball
+from benchmarks.setup import Floats, Setup
 
 TITLE = "Many worlds: pinball tables of 150 shapes and one ball, 8 substeps a step, one thread"
 SUBSTEPS = 8
@@ -74,7 +76,7 @@ def bytes_of(worlds: Any) -> int:
 
 
 def in_turn(rounds: int, count: int) -> list[Figure]:
-    """Worlds stepped one after the other from Python: carom's, and the peers'."""
+    """Worlds stepped one after the other from Python, carom's and the peers'; and Box2D's with all tables in one."""
 
     def step_all(worlds: list[Any], steps: int) -> None:
         for world in worlds:
@@ -90,9 +92,35 @@ def in_turn(rounds: int, count: int) -> list[Figure]:
         calls[name] = partial(step_all, worlds, 1 if name.startswith("carom") else SUBSTEPS)
     race(calls, rounds=1)
     timings = race(calls, max(2, rounds // 4))
-    return [
+    figures = [
         timing.figure(f"{count} worlds in turn", name, 1e6 / count / SUBSTEPS, UNIT) for name, timing in timings.items()
     ]
+    box2d = engines().get("Box2D")
+    if box2d is None:
+        return figures
+    merged = box2d(merge(pinball(), count))
+    (timing,) = race({"Box2D": partial(step_all, [merged], SUBSTEPS)}, max(2, rounds // 4)).values()
+    return [*figures, timing.figure(f"{count} tables in one world", "Box2D", 1e6 / count / SUBSTEPS, UNIT)]
+
+
+def merge(setup: Setup, count: int) -> Setup:
+    """Many of the same table side by side in one world, as who has but a few worlds does."""
+    columns = ceil(sqrt(count))
+    places = np.array([(k % columns, k // columns) for k in range(count)]) * (2.0 * WIDTH, 2.0 * HEIGHT)
+
+    def beside(rows: Floats, corners: int) -> Floats:
+        """Rows that begin with so many corners, for each table."""
+        way = np.zeros((count, 1, rows.shape[1]))
+        way[:, 0, : 2 * corners] = np.tile(places, corners)
+        return (rows + way).reshape(-1, rows.shape[1])
+
+    return replace(
+        setup,
+        position=beside(setup.position, 1),
+        velocity=np.tile(setup.velocity, (count, 1)),
+        segments=beside(setup.segments, 2),
+        circles=beside(setup.circles, 1),
+    )
 
 
 def with_flippers(rounds: int, size: int) -> list[Figure]:

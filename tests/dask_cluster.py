@@ -77,9 +77,12 @@ class Coordinators:
         self._maker.stdin.flush()
         self._number = int(self._line())
 
-    def kill(self) -> None:
-        """End the one that runs by SIGKILL."""
-        os.kill(self._number, signal.SIGKILL)
+    def kill(self) -> bool:
+        """Whether there was still one to end by SIGKILL; it is."""
+        with suppress(ProcessLookupError):
+            os.kill(self._number, signal.SIGKILL)
+            return True
+        return False
 
     def status(self, seconds: float) -> int | None:
         """The exit status of the one that ran; None where it still runs after some seconds."""

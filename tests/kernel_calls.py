@@ -249,8 +249,8 @@ def found_moving(arrays: Arrays, x: float, y: float) -> list[int]:
 
 def begun(arrays: Arrays) -> int:
     """The outcome of beginning a step."""
-    shapes = arrays.shapes.rows, arrays.order
-    return begin_step(arrays.states, arrays.balls.rows, *shapes, arrays.slots, arrays.saved, arrays.relations)
+    shapes, kept = (arrays.shapes.rows, arrays.order), (arrays.saved, arrays.relations)
+    return begin_step(arrays.states, arrays.balls.rows, *shapes, arrays.slots, *kept, arrays.index)
 
 
 def contents(arrays: Arrays) -> list[bytes]:

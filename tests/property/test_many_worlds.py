@@ -78,6 +78,12 @@ class Copies(RuleBasedStateMachine):
             named(world, "platform").velocity = (x, y)
 
     @rule(seed=st.integers(0, 99))
+    def send(self, seed: int) -> None:
+        copy, rng = seed % len(self.lone), np.random.default_rng(seed)
+        named(self.lone[copy], "platform").move_to(rng.uniform((-0.5, -2.4), (2, -2)).tolist(), dt=0.3)
+        self.worlds.load(copy, self.lone[copy])
+
+    @rule(seed=st.integers(0, 99))
     def put(self, seed: int) -> None:
         rng = np.random.default_rng(seed)
         places, angle = rng.uniform((-0.5, -2.4), (2, -2), (len(self.lone), 2)), float(rng.uniform(-0.2, 0.6))

@@ -96,12 +96,12 @@ class Campaign:
             self._worker_marks.pop()
             self.happened["workers killed"] += 1
         if self._coordinator_marks and self._coordinator_marks[-1] <= done:
-            self._coordinator_marks.pop()
-            self.coordinators.kill()
-            self.happened["coordinators killed"] += 1
+            # One that has just ended was not killed: the next one is.
+            if self.coordinators.kill():
+                self._coordinator_marks.pop()
+                self.happened["coordinators killed"] += 1
         elif self._fault_marks and self._fault_marks[-1][0] <= done and not fault:
-            self.coordinators.kill()
-            self.happened["coordinators killed for a fault"] += 1
+            self.happened["coordinators killed for a fault"] += self.coordinators.kill()
 
 
 @pytest.mark.slow

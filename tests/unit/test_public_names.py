@@ -7,7 +7,7 @@ import pytest
 
 import carom
 
-SLOW = ("numba", "pydantic", "pygame", "pyarrow", "typer", "rich")
+SLOW = ("numba", "pydantic", "pygame", "pyarrow", "typer", "rich", "gymnasium", "dask", "distributed", "fsspec")
 
 
 def test_importing_carom_loads_no_slow_module() -> None:

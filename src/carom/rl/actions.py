@@ -126,9 +126,10 @@ class Actions:
     def _chosen(self, given: NDArray[Any]) -> Floats:
         """The speeds of values that choose them."""
         counts = [len(table) for table in self._tables]
-        if given.dtype.kind not in "iu" or (given < 0).any() or (given >= counts).any():
+        if given.dtype.kind not in "iu" or given.min() < 0 or (given >= counts).any():
             raise refuse("actions", f"must be whole numbers, each less than that of {counts}", given)
-        return np.column_stack([table[given[:, place]] for place, table in enumerate(self._tables)])
+        # Each actuator's stand together.
+        return np.array([table[given[:, place]] for place, table in enumerate(self._tables)]).T
 
 
 def _drive(actuator: Turn | Travel | Impulse, names: Names, worlds: Worlds) -> _Drive:

@@ -24,7 +24,8 @@ class Marks:
 
     def note(self, copies: NDArray[np.int64], columns: NDArray[np.int64]) -> None:
         """Mark what was hit, given the copy and the column of each hit."""
-        self._hit[copies, self._place[columns]] = True
+        if self._none > 0:
+            self._hit[copies, self._place[columns]] = True
 
     def clear(self, copies: NDArray[np.int64]) -> None:
         """Forget what was hit in some copies."""

@@ -76,12 +76,16 @@ class Numbers:
         in_play = self._in_play[:, self._balls]
         # Copied at once, for each copy's lie on a page of their own; then worked on number by number, for NumPy takes
         # ten times as long over pairs.
-        position, velocity = (
-            column[:, self._balls].copy() for column in (self._worlds.balls.position, self._worlds.balls.velocity)
-        )
-        for axis in (0, 1):
-            balls[:, :, axis] = (position[:, :, axis] - self._middle[axis]) / self._half[axis] * in_play
-            balls[:, :, 2 + axis] = velocity[:, :, axis] / self._speed * in_play
+        numbers = np.empty((4, *in_play.shape))
+        numbers[:2] = self._worlds.balls.position[:, self._balls].copy().transpose(2, 0, 1)
+        numbers[2:] = self._worlds.balls.velocity[:, self._balls].copy().transpose(2, 0, 1)
+        numbers[:2] -= self._middle[:, None, None]
+        numbers[:2] /= self._half[:, None, None]
+        numbers[2:] /= self._speed
+        if not in_play.all():
+            numbers *= in_play
+        for column in range(4):
+            balls[:, :, column] = numbers[column]
         if self._several:
             balls[:, :, 4] = in_play
         return width

@@ -40,6 +40,13 @@ class IndexRow(TypedDict):
     wide_end: i8
     resting: i8  # shapes at rest that are not in it
     moving: i8
+    # of kinematic shapes that are left alone in a step while no ball is near (discrete)
+    calm: i8  # how many there are, the last ones of those that do not rest
+    owed: i8  # substeps that are to be made up for
+    calm_left: f8  # the box that no ball may come out of
+    calm_bottom: f8
+    calm_right: f8
+    calm_top: f8
 
 
 INDEX = dtype_of(IndexRow)

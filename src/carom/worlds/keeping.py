@@ -159,7 +159,8 @@ def wake_changed(memory: Memory, lent: Rows) -> None:
     """Have the copies wake of which such columns are not what they were, where that makes a difference."""
     changed = np.zeros(len(lent), np.bool_)
     for name in LENT:
-        changed |= (memory.balls[name] != lent[name]).any(axis=1)
+        # What a ball has that is not in play means nothing.
+        changed |= ((memory.balls[name] != lent[name]) & memory.in_play).any(axis=1)
     matters = (memory.state["sleeping"] > 0) | (memory.state["detection"] != DISCRETE)
     memory.state["wake"][changed & matters] = 1
 

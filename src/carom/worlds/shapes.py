@@ -137,18 +137,17 @@ class CopiesOfShape:
         having(self._worlds, self._write_speeds, fields)
 
     def _write_speeds(self, fields: dict[str, NDArray[np.float64]]) -> None:
-        memory = self._worlds._common.memory
-        # Parts that were added together stand together: then each copy's memory is gone through once.
-        first, end = int(self._columns[0]), int(self._columns[0]) + len(self._columns)
-        together = np.array_equal(self._columns, np.arange(first, end))
-        for columns in [slice(first, end)] if together else [slice(k, k + 1) for k in self._columns.tolist()]:
-            rows = memory.moving[:, columns]
-            sent = rows["time_left"] > 0.0
-            if sent.any():
+        common = self._worlds._common
+        memory = common.memory
+        # What leads a compound is enough: the others follow it as a copy is taken out.
+        for column in self._columns.tolist() if common.sent else self._columns[:1].tolist():
+            row = memory.moving[:, column]
+            if common.sent:
+                sent = row["time_left"] > 0.0
                 for field in ("time_left", "velocity_x", "velocity_y", "angular_velocity"):
-                    rows[field][sent] = 0.0
+                    row[field][sent] = 0.0
             for field, values in fields.items():
-                rows[field] = values[:, None]
+                row[field] = values
         memory.state["wake"] = 1
 
     def _set_each(self, name: str, values: NDArray[np.float64]) -> None:
@@ -228,6 +227,16 @@ class CopiesOfShape:
         common = self._worlds._common
         column = int(common.columns[members_of(self._shape)[0].id or 0])
         return common.counts[:, column, which].copy()
+
+
+def leaders_of(world: World, moving: NDArray[np.intp]) -> NDArray[np.int32]:
+    """For each kinematic shape, given the rows of all, which of them is the first part of its compound: or itself."""
+    leaders = np.arange(len(moving), dtype=np.int32)
+    for shape in world.shapes:
+        if isinstance(shape, Compound):
+            columns = np.searchsorted(moving, [world._arrays.shapes.index(part) for part in members_of(shape)])
+            leaders[columns] = columns[0]
+    return leaders
 
 
 def columns_of(world: World) -> NDArray[np.int64]:

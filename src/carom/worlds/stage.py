@@ -37,22 +37,26 @@ class Common:
     Attributes:
         memory: All copies.
         moving: The rows of the kinematic shapes in the table of all shapes.
+        leaders: For each of these, the place among them of the first part of its compound, or its own.
         switched: Those of the static shapes that have switches of their own in each copy.
         ids: Of the balls, ascending.
         faults: For each copy, why its step was refused; DONE for the others.
         columns: The number of columns of what is counted; then, by id, the column of each shape, or -1.
         counts: Bounces and entries, of shape (copies, columns, 2).
         keep_hits: Whether hits are given.
+        sent: Whether a kinematic shape of any copy may be on its way to where it was sent.
     """
 
     memory: Memory
     moving: NDArray[np.int32]
+    leaders: NDArray[np.int32]
     switched: NDArray[np.int32]
     ids: NDArray[np.int64]
     faults: NDArray[np.int64]
     columns: NDArray[np.int64]
     counts: NDArray[np.int64]
     keep_hits: bool
+    sent: bool
 
 
 def one_copy(*_: Any) -> tuple[int, float]:
@@ -81,7 +85,8 @@ class Stage:
         )  # fmt: skip
         words: Any = tuple(rows.view(np.int64).reshape(-1) for rows in tables)
         memory = common.memory.words.reshape(-1)
-        shapes, queue, own = arrays.shapes.rows, arrays.queue, (common.moving, common.switched)
+        shapes, queue = arrays.shapes.rows, arrays.queue
+        own = common.moving, common.leaders, common.switched
         self._carried = common.memory.layout, memory, memory.view(np.uint8), words, shapes, queue, own
         layout, _memory, marks, *_ = self._carried
         self._loop_block = Block(
@@ -97,17 +102,16 @@ class Stage:
 
     def take(self, copy: int) -> None:
         """Take one copy out."""
-        layout, memory, marks, words, shapes, queue, (moving, switched) = self._carried
+        layout, memory, marks, words, shapes, queue, own = self._carried
         arrays = self.arrays
         take_copy(
-            layout[0], memory, marks, copy, arrays.states[0], words, shapes, arrays.order, arrays.index, queue, moving,
-            switched,
+            layout[0], memory, marks, copy, arrays.states[0], words, shapes, arrays.order, arrays.index, queue, *own
         )  # fmt: skip
         arrays.balls.count = int(arrays.states[0]["balls"])
 
     def put(self, copy: int) -> bool:
         """True if one copy was put back; False where the memory lacks room for its relations."""
-        layout, memory, marks, words, shapes, queue, (moving, switched) = self._carried
+        layout, memory, marks, words, shapes, queue, (moving, _, switched) = self._carried
         arrays = self.arrays
         return put_copy(layout[0], memory, marks, copy, arrays.states[0], words, shapes, queue, moving, switched)
 

@@ -23,7 +23,7 @@ from carom.worlds import keeping
 from carom.worlds.balls import CopiesOfBalls
 from carom.worlds.hits import CopyHits, gathered
 from carom.worlds.memory import RELATIONS, Memory
-from carom.worlds.shapes import CopiesOfShapes, columns_of
+from carom.worlds.shapes import CopiesOfShapes, columns_of, leaders_of
 from carom.worlds.stage import Common, Stage
 from carom.worlds.threads import Crew, cores
 
@@ -91,12 +91,14 @@ class Worlds(Spelled):
         self._common = Common(
             memory,
             moving.astype(np.int32),
+            leaders_of(self._base, moving),
             switched.astype(np.int32),
             arrays.balls.used["id"].copy(),
             np.full(count, DONE, np.int64),
             columns,
             np.zeros((count, int(columns[0]), 2), np.int64),
             keep_hits,
+            _is_any_sent(arrays.shapes.used),
         )
         self._turn = Turn()
         self._watcher: int | None = None
@@ -426,6 +428,7 @@ class Worlds(Spelled):
             self._switch(switched)
             stage = self._stage_of(copy)
         stage.fill(contents)
+        self._common.sent |= _is_any_sent(contents.shapes)
         self._common.faults[copy] = DONE
         self._fill_from(stage, copy, np.isin(self._common.ids, contents.balls["id"]))
 
@@ -454,6 +457,11 @@ def _remade(base: World, copies: int, threads: int, keep_hits: bool, snapshot: b
     worlds = Worlds(base, copies, threads, keep_hits)
     worlds.restore(snapshot)
     return worlds
+
+
+def _is_any_sent(shapes: Rows) -> bool:
+    """Whether a shape is on its way to where it was sent."""
+    return bool((shapes["time_left"] > 0.0).any())
 
 
 def _check_world(world: Any) -> None:

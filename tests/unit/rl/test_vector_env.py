@@ -111,6 +111,27 @@ def test_a_seed_gives_each_copy_numbers_of_its_own_that_a_single_environment_can
     assert same(more[:COPIES], observations)
 
 
+def trained(seed: int, number: int) -> bytes:
+    """What comes of a short training run: players of few weights, of which the best make the next ones."""
+    env = TaskVectorEnv(drop_task(), 8, threads=number, autoreset_mode="SameStep")
+    random, middle = np.random.default_rng(seed), np.zeros((3, env.single_observation_space.shape[0]))
+    for generation in range(3):
+        players = middle + random.normal(size=(8, *middle.shape))
+        seen, _ = env.reset(seed=seed + generation)
+        score = np.zeros(8)
+        for _ in range(12):
+            seen, reward, *_ = env.step((players @ seen.astype(float)[:, :, None])[:, :, 0].argmax(axis=1))
+            score += reward
+        middle = players[np.argsort(score, kind="stable")[-3:]].mean(axis=0)
+    return middle.tobytes() + score.tobytes()
+
+
+@pytest.mark.slow
+def test_a_seed_gives_a_training_run_to_the_bit_on_any_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("carom.worlds.threads.SHARE", 1)
+    assert trained(3, 1) == trained(3, 1) == trained(3, 3) != trained(4, 1)
+
+
 def test_only_those_asked_for_begin_anew() -> None:
     env = vector(drop_task(), autoreset_mode=AutoresetMode.DISABLED)
     before, _ = env.reset(seed=1)

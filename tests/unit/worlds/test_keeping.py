@@ -44,3 +44,15 @@ def test_a_damaged_snapshot_is_refused() -> None:
             keeping.unpacked(wrong, counts.shape)
     with pytest.raises(carom.SnapshotError, match="must be of 3 copies of the same scene, not of 2"):
         keeping.unpacked(whole, (3, 1, 2))
+
+
+def test_what_a_ball_has_that_is_not_in_play_wakes_nobody() -> None:
+    world = game_table("continuous")
+    worlds = carom.Worlds(world, 2, threads=1)
+    worlds.balls.in_play[:, 2] = False
+    worlds.run(0.1)
+    before = worlds.digests()
+    worlds.balls.radius[0, 2] = 0.25
+    assert worlds.digests() == before
+    worlds.balls.radius[1, 1] = 0.25
+    assert worlds.digests()[1] != before[1]

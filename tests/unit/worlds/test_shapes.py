@@ -1,5 +1,7 @@
 """`worlds.shapes`: found by name and index, told how to move, switched and counted."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -84,3 +86,39 @@ def test_what_was_sent_somewhere_rests_when_it_is_told_to_turn() -> None:
     worlds.step(0.5)
     assert worlds.shapes["paddle"].orientation.tolist() == [1.0, 1.0]
     assert worlds.shapes["paddle"].position.tolist() == [[0.5, 0.0]] * 2
+
+
+def test_one_that_was_sent_somewhere_comes_with_a_world_that_is_loaded() -> None:
+    world = world_of(carom.Segment((0, 0), (1, 0), motion="kinematic"))
+    worlds = carom.Worlds(world, 2, threads=1)
+    world.shapes[0].move_to((5, 5), dt=1.0)
+    worlds.load(1, world)
+    lone = worlds[1]
+    worlds.shapes[0].angular_velocity = lone.shapes[0].angular_velocity = 1.0
+    for _ in range(3):
+        worlds.step(0.1)
+        lone.step(0.1)
+    assert worlds.digests()[1] == lone.digest()
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_all_parts_of_a_compound_go_with_what_is_commanded(detection: carom.typing.Detection) -> None:
+    arms = [carom.Segment((0, 0), (3, 1)), carom.Arc((0, 0), 3, 1, 2), carom.Segment((0, 0), (-3, 1))]
+    wall = carom.Segment((20, 0), (20, 1), motion="kinematic", velocity=(0, 1))
+    wheel = carom.Compound(arms, pivot=(0, 0), name="wheel")
+    world = world_of(wall, wheel, carom.Ball((0.0, 2.0), 0.2), gravity=(0, -9), detection=detection)
+    worlds = carom.Worlds(world, 3, threads=1)
+    lone = worlds[2]
+    for speed, (x, y) in ((4.0, (1.0, 0.5)), (-3.0, (0.0, 0.0)), (0.0, (-0.5, 0.0))):
+        lone = worlds[2]
+        turned: Any = lone.shapes["wheel"]
+        for each in (worlds.shapes["wheel"], turned):
+            each.angular_velocity = speed
+            each.velocity = (x, y)
+        assert worlds.digests()[2] == lone.digest()
+        assert [part.angular_velocity for part in turned.shapes] == [speed] * len(wheel.shapes)
+        worlds.run(0.5)
+        lone.run(0.5)
+        assert worlds.digests()[2] == lone.digest()
+    worlds.shapes["wheel"].position = lone.shapes["wheel"].position = (1, 1)
+    assert worlds.digests()[2] == lone.digest()

@@ -178,8 +178,11 @@ def _silent_client() -> Iterator[None]:
 @contextmanager
 def _connected(address: str) -> Iterator[Any]:
     """A client of the scheduler at an address."""
+    module = distributed()
     try:
-        client = distributed().Client(address, timeout=PATIENCE, set_as_default=False)
+        # A client that cannot read its address takes long to go, and not in silence.
+        module.comm.resolve_address(address)
+        client = module.Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise SweepError(f"cluster {address}: no Dask scheduler answers there ({error})") from None
     try:

@@ -45,6 +45,13 @@ def test_a_scheduler_that_is_not_there_is_one_line(monkeypatch: pytest.MonkeyPat
             pytest.fail("there is none")
 
 
+@pytest.mark.parametrize("address", ["nowhere", "tcp://", "nothing://here"])
+def test_what_is_no_address_is_one_line_at_once(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("distributed.Client", None)
+    with pytest.raises(carom.SweepError, match=f"^cluster {address}: no Dask scheduler"), cluster_of(address, 1):
+        pytest.fail("there is none")
+
+
 def test_new_processes_do_not_run_the_program_again(monkeypatch: pytest.MonkeyPatch) -> None:
     main = sys.modules["__main__"]
     monkeypatch.setattr(main, "__file__", "program.py", raising=False)

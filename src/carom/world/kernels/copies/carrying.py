@@ -30,10 +30,12 @@ def take_copy(
     index: Table[IndexRow],
     queue: Table[int],
     moving: Table[int],
+    leaders: Table[int],
     switched: Table[int],
 ) -> None:
     """Take a copy out, ready to be stepped; `marks` are the bytes of the memory."""
     carry(layout, memory, marks, copy, words, shapes, queue, moving, switched, True)
+    follow_leaders(shapes, moving, leaders)
     # The index of the static shapes serves all copies whose largest balls are the same.
     state["index_stale"] = 0 if index[FIXED]["reach"] == state["reach"] else OTHER_REACH
     state["moving_stale"] = STALE
@@ -115,6 +117,16 @@ def carry_moving(
         at = begin + int(layout["moving_at"]) + k * size
         carry_words(memory, at, words, int(moving[k]) * size, (end - k) * size, out)
         k = end
+
+
+def follow_leaders(shapes: Table[ShapeRow], moving: Table[int], leaders: Table[int]) -> None:
+    """Give all parts of a compound the speeds of its first one, for which alone they are set in the memory."""
+    for k in range(len(moving)):
+        if leaders[k] != k:
+            shape, leader = shapes[moving[k]], shapes[moving[leaders[k]]]
+            shape["angular_velocity"] = leader["angular_velocity"]
+            shape["velocity_x"] = leader["velocity_x"]
+            shape["velocity_y"] = leader["velocity_y"]
 
 
 def carry_words(memory: Table[int], begin: int, table: Table[int], to: int, count: int, out: bool) -> None:

@@ -37,7 +37,7 @@ def step_copies(
     order: Table[int],
     index: Table[IndexRow],
     queue: Table[int],
-    rows: tuple[Table[int], Table[int]],
+    rows: tuple[Table[int], Table[int], Table[int]],
     hits: Table[HitRow],
     given: tuple[Table[HitRow], Table[int]],
     counting: tuple[Table[int], Table[int]],
@@ -58,20 +58,20 @@ def step_copies(
         order: The order in which they are met.
         index: The index of its shapes.
         queue: The queue of its balls' events.
-        rows: Which of the shapes each copy has of its own, and which have switches of its own.
+        rows: Which of the shapes each copy has of its own, which of these lead others, which have switches of its own.
         hits: The hits of its step.
         given: The hits of all copies, and of which copy each is.
         counting: By ids, the columns of what is counted, or -1; for each copy and column, bounces and entries.
     """
     job, layout, state = jobs[0], layouts[0], states[0]
-    moving, switched = rows
+    moving, leaders, switched = rows
     while job["next"] < job["last"]:
         copy = int(job["next"])
         if job["place"] == TAKE:
             if faults[copy] != DONE:
                 job["next"] += 1
                 continue
-            take_copy(layout, memory, marks, copy, state, words, shapes, order, index, queue, moving, switched)
+            take_copy(layout, memory, marks, copy, state, words, shapes, order, index, queue, moving, leaders, switched)
             state["dt"] = job["dt"]
             state["steps_left"] = job["steps"]
             job["place"] = STEP

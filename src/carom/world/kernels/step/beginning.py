@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.constants import FEW_TO_SORT
+from carom.constants import FEW_TO_ASK, FEW_TO_SORT
 from carom.geometry.vector import larger, smaller
 from carom.rows.ball import OF_WORLD, BallRow
-from carom.rows.index import SlotRow
+from carom.rows.index import IndexRow, SlotRow
 from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
@@ -15,6 +15,8 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import DONE, GRID, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import lay_grid
+from carom.world.kernels.broad_phase.shape_index import MOVING
+from carom.world.kernels.step.calm import is_calm
 from carom.world.kernels.step.motion import launch_ball, moved, note_met, wake_all
 from carom.world.kernels.step.rollback import call_back, save, save_ball, save_balls
 from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound
@@ -29,6 +31,7 @@ def begin_step(
     slots: Table[SlotRow],
     saved: Table[SavedRow],
     relations: Table[RelationRow],
+    index: Table[IndexRow],
 ) -> int:
     """DONE when the state was found good and is saved; NOT_FINITE or REFUSED, with nothing changed, where it is bad.
 
@@ -43,7 +46,7 @@ def begin_step(
             state["wake"] = 1
         save_balls(state, balls, saved)
     state["step_hits"] = state["hits"]
-    list_restless(state, shapes, order)
+    list_restless(state, shapes, order, index[MOVING])
     save(states, shapes, order, relations)
     # From here on `roll_back` undoes what has been done, until then `call_back`.
     state["stage"] = MOVE
@@ -63,21 +66,29 @@ def begin_step(
     return DONE
 
 
-def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int], entry: IndexRow) -> None:
     """List the kinematic shapes that do not rest in `order`, behind all shapes; a step does nothing to the others.
 
-    Where nothing was set of any of them since the last step, those alone can be in it that were.
+    Where nothing was set of any of them since the last step, those alone can be in it that were. Calm ones come
+    last: `entry`, that of the kinematic shapes' index, says how many those are.
     """
-    count, found = int(state["shapes"]), 0
+    count, found, busy = int(state["shapes"]), 0, 0
+    few, duration, substeps = state["balls"] <= FEW_TO_ASK, substep_length(state), int(state["substeps"])
     changed = state["moving_stale"] != 0 or state["index_stale"] != 0
     begin, end = (int(state["fixed"]), count) if changed else (count, count + int(state["movers"]))
     for k in range(begin, end):
-        shape = shapes[order[k]]
+        row = order[k]
+        shape = shapes[row]
         # What is not where numbers reach is listed too: the step is refused for it.
         if not (is_at_rest(shape) and is_in_reach(shape)):
-            order[count + found] = order[k]
+            order[count + found] = row
+            if not few or not is_calm(shape, duration, substeps):
+                order[count + found] = order[count + busy]
+                order[count + busy] = row
+                busy += 1
             found += 1
     state["movers"] = found
+    entry["calm"] = found - busy
 
 
 def look_at_balls(

@@ -81,7 +81,7 @@ def step_discrete(
     while state["steps_left"] > 0:
         stage = state["stage"]
         if stage == BEGIN:
-            status = begin_step(states, balls, shapes, order, slots, saved, relations)
+            status = begin_step(states, balls, shapes, order, slots, saved, relations, index)
         elif stage == MOVE:
             status = begin_substep(states, balls, shapes, order, shape_index, saved, relations)
         elif stage == SHAPES:
@@ -121,7 +121,7 @@ def begin_substep(
     # Called again after NEEDS_PAIRS, the shapes have moved already.
     if state["stage_entered"] == 0:
         duration = substep_length(state)
-        moved = move_shapes(state, balls, shapes, order, duration)
+        moved = move_shapes(state, balls, shapes, order, shape_index[0][MOVING], duration)
         if moved:
             spend_span(state, shape_index[0][MOVING], duration)
         state["stage_entered"] = 1

@@ -7,7 +7,7 @@ from math import fabs, inf
 from carom.constants import FEW_TO_ASK, INDEX_MARGIN, ROUNDING
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.index import SlotRow
+from carom.rows.index import IndexRow, SlotRow
 from carom.rows.pose import (
     STILL,
     UNPOSED,
@@ -23,12 +23,14 @@ from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
+from carom.world.kernels.step.calm import Box, leave_alone
 
 #: A box that no place is outside of.
 EVERYWHERE = (-inf, -inf, inf, inf)
 
-#: The sides of a box: left, bottom, right, top.
-Box = tuple[float, float, float, float]
+#: An orientation, its cosine and its sine.
+Turn = tuple[float, float, float]
+UNTURNED = (0.0, 1.0, 0.0)
 
 
 def moved(ball: BallRow, duration: float, gravity_x: float, gravity_y: float) -> tuple[float, float, float, float]:
@@ -73,19 +75,26 @@ def unsoundness(x: float, y: float, vx: float, vy: float) -> float:
 
 
 def move_shapes(
-    state: StateRow, balls: Table[BallRow], shapes: Table[ShapeRow], order: Table[int], duration: float
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    entry: IndexRow,
+    duration: float,
 ) -> bool:
     """Move the kinematic shapes for `duration` seconds and wake the balls in their way; True if any shape moved.
 
     A shape's way is the box around its box before and after, and as far around that as a turning shape bulges. One that
     turns far from all of a few balls is put to where it is when it matters: when a ball is near, or the step ends. One
-    that has come in the last substep where `move_to` sent it rests first.
+    that has come in the last substep where `move_to` sent it rests first. `entry` is that of the shapes' index.
     """
     moved = False
     few = state["balls"] <= FEW_TO_ASK and state["sleeping"] == 0 and state["substep"] + 1 < state["substeps"]
     around = box_of_ways(state, balls, duration) if few else EVERYWHERE
-    turn, c, s = 0.0, 1.0, 0.0
-    for k in range(state["shapes"], state["shapes"] + state["movers"]):
+    left_alone = leave_alone(state, shapes, order, entry, around, duration)
+    # Parts of a compound turn alike, but stand among others by their kinds.
+    last, second, third = UNTURNED, UNTURNED, UNTURNED
+    for k in range(state["shapes"], state["shapes"] + state["movers"] - left_alone):
         shape = shapes[order[k]]
         rest(shape)
         if few and turns_only(shape, duration) and is_far_from_all(state, balls, shape, duration, around):
@@ -95,11 +104,9 @@ def move_shapes(
         right, top = float(shape["right"]), float(shape["top"])
         how = advance(shape, duration)
         if how == UNPOSED:
-            # Parts of a compound turn alike and follow each other.
-            if shape["orientation"] != turn:
-                turn = float(shape["orientation"])
-                c, s = cosine_and_sine(turn)
-            pose_by(shape, c, s)
+            if shape["orientation"] != last[0]:
+                second, third, last = last, second, turn_of(float(shape["orientation"]), second, third)
+            pose_by(shape, last[1], last[2])
         if how != STILL:
             moved = True
             if shape["time_left"] < 0.0:
@@ -114,6 +121,16 @@ def move_shapes(
                 top = larger(top, float(shape["top"])) + bulge
                 wake_in_box(state, balls, left, bottom, right, top)
     return moved
+
+
+def turn_of(orientation: float, one: Turn, other: Turn) -> Turn:
+    """An orientation with its cosine and sine, which one of two others may have already."""
+    if orientation == one[0]:
+        return one
+    if orientation == other[0]:
+        return other
+    c, s = cosine_and_sine(orientation)
+    return orientation, c, s
 
 
 def box_of_ways(state: StateRow, balls: Table[BallRow], duration: float) -> Box:

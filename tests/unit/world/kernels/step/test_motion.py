@@ -8,6 +8,7 @@ import pytest
 from carom import Ball, Segment
 from carom.rows.pose import advance_pose
 from carom.rows.tables import Row
+from carom.world.kernels.broad_phase.shape_index import MOVING
 from carom.world.kernels.step.beginning import list_restless
 from carom.world.kernels.step.motion import (
     EVERYWHERE,
@@ -18,6 +19,7 @@ from carom.world.kernels.step.motion import (
     put_ball,
     rouse,
     slow_by_friction,
+    turn_of,
     turning_bulge,
     wake,
     wake_in_box,
@@ -68,7 +70,7 @@ def test_a_shape_wakes_the_sleepers_in_its_way_and_no_others() -> None:
     room = prepared(world)
     balls, state = room.balls.used, room.states[0]
     balls["asleep"], state["sleeping"] = 1, 4
-    assert move_shapes(state, balls, room.shapes.rows, room.order, 0.5)
+    assert move_shapes(state, balls, room.shapes.rows, room.order, room.index[MOVING], 0.5)
     assert balls["asleep"].tolist() == [0, 0, 0, 1]
     assert state["sleeping"] == 1
     assert room.shapes.rows[0]["cy"] == 4.0
@@ -77,7 +79,7 @@ def test_a_shape_wakes_the_sleepers_in_its_way_and_no_others() -> None:
 def test_a_world_of_shapes_at_rest_does_not_move() -> None:
     room = prepared(world_of(Segment((0, 0), (1, 0)), Segment((0, 1), (1, 1), motion="kinematic")))
     before = room.shapes.used.tobytes()
-    assert not move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, 0.5)
+    assert not move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, room.index[MOVING], 0.5)
     assert room.shapes.used.tobytes() == before
 
 
@@ -107,15 +109,22 @@ def test_shapes_that_turn_alike_or_not_are_each_where_their_own_turn_puts_them()
     hands = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
     room = prepared(world_of(*hands, substeps=1))
     room.states[0]["moving_stale"] = 1
-    list_restless(room.states[0], room.shapes.rows, room.order)
+    list_restless(room.states[0], room.shapes.rows, room.order, room.index[MOVING])
     alone = [Segment((1, k), (4, 2), motion="kinematic", pivot=(0, 0), angular_velocity=spins[k]) for k in range(6)]
     for _ in range(3):
-        assert move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, 0.5)
+        assert move_shapes(room.states[0], room.balls.rows, room.shapes.rows, room.order, room.index[MOVING], 0.5)
         for row, hand in zip(room.shapes.used, alone, strict=True):
             advance_pose(hand._row, 0.5)
             expected = hand._row.copy()
             expected["id"] = row["id"]
             assert row == expected
+
+
+def test_a_turn_that_is_known_is_not_computed_again() -> None:
+    one, other = (0.5, 7.0, 8.0), (0.25, 9.0, 10.0)
+    assert turn_of(0.5, one, other) == one
+    assert turn_of(0.25, one, other) == other
+    assert turn_of(2.0, one, other) == (2.0, cos(2.0), sin(2.0))
 
 
 def test_who_is_woken_counts_its_rest_anew_and_who_is_roused_does_not() -> None:

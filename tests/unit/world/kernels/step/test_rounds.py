@@ -12,9 +12,8 @@ from carom.constants import FEW_TO_SORT
 from carom.rows.index import SLOT
 from carom.rows.saved import MET, PAIRS_DUE, SAVED, SHAPES_DUE
 from carom.rows.state import DONE
-from carom.world.kernels.step.beginning import begin_step
 from carom.world.kernels.step.rounds import launch_balls, list_balls_near, list_due
-from tests.kernel_calls import ball_rows, prepared, shape_index, state_row
+from tests.kernel_calls import ball_rows, begun, prepared, shape_index, state_row
 from tests.worlds import bits, box, guarded, world_of
 
 HUGE = 1.5e308
@@ -89,16 +88,14 @@ def test_balls_are_moved_ahead_where_none_sleeps() -> None:
     balls = Ball((0, 0), 1, velocity=(2, 4)), *crowd(-2.0)
     arrays = prepared(world_of(Point((9, 9)), *balls, substeps=2))
     arrays.states[0]["dt"] = 1.0
-    shapes = arrays.shapes.rows, arrays.order
-    tables = arrays.states, arrays.balls.rows, *shapes, arrays.slots, arrays.saved, arrays.relations
-    assert begin_step(*tables) == DONE
+    assert begun(arrays) == DONE
     assert arrays.states[0]["met_noted"] == 1
     assert arrays.states[0]["grid_size"] > 0
     assert [arrays.saved[name][0] for name in ("x", "y", "met_x", "met_y")] == [0, 0, 1, 2]
     assert arrays.balls.rows["x"][0] == 1.0
     assert arrays.slots[arrays.balls.count].tolist()[:4] == (1.0, 2.0, 1.0, 0)
     arrays.states[0]["sleeping"] = 1
-    assert begin_step(*tables) == DONE
+    assert begun(arrays) == DONE
     assert (arrays.states[0]["met_noted"], arrays.states[0]["grid_size"]) == (0, 0)
 
 
@@ -138,8 +135,7 @@ def test_those_near_shapes_are_listed_with_the_places_that_they_come_from() -> N
     arrays = prepared(world_of(*box(80, 40), *balls, *crowd(60.0)))
     state, index, slots = arrays.states[0], shape_index(arrays), arrays.slots
     state["dt"], state["substeps"] = 0.5, 2
-    shapes = arrays.shapes.rows, arrays.order
-    assert begin_step(arrays.states, arrays.balls.rows, *shapes, slots, arrays.saved, arrays.relations) == DONE
+    assert begun(arrays) == DONE
     for substep in range(2):
         state["substep"], state["grid_size"] = substep, 0
         if substep > 0:
