@@ -13,13 +13,16 @@ from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
+    QUARTERS,
     cell_side,
     cells_around,
+    clear_towards,
     comes_near,
     find_free,
     index_box,
     mark_parts,
     reach_of_cell,
+    set_clear,
 )
 
 
@@ -169,29 +172,30 @@ def put_in(
 
 
 def lower_clear(entry: IndexRow, cells: Table[CellRow], column: int, line: int) -> None:
-    """Let the cells around one that has members know how near it is: ring by ring, up to one that is nearer to others.
+    """Let the cells around one that has members know how near it is, in each quarter as seen from them.
 
     Where members have gone cells say less than they could, which costs time alone.
     """
-    away, lowered = 0, True
-    while lowered:
-        lowered = False
-        for k in range(-away, away + 1):
-            lowered = lower_to(entry, cells, column + k, line - away, away) or lowered
-            lowered = lower_to(entry, cells, column + k, line + away, away) or lowered
-            lowered = lower_to(entry, cells, column - away, line + k, away) or lowered
-            lowered = lower_to(entry, cells, column + away, line + k, away) or lowered
-        away += 1
+    for quarter in range(QUARTERS):
+        right, up = 1 - 2 * (quarter % 2), 1 - 2 * (quarter // 2)
+        away, lowered = 0, True
+        # Ring by ring, up to one whose cells are all as near to others.
+        while lowered:
+            lowered = lower_to(entry, cells, column - right * away, line - up * away, quarter, away)
+            for k in range(away):
+                lowered = lower_to(entry, cells, column - right * away, line - up * k, quarter, away) or lowered
+                lowered = lower_to(entry, cells, column - right * k, line - up * away, quarter, away) or lowered
+            away += 1
 
 
-def lower_to(entry: IndexRow, cells: Table[CellRow], column: int, line: int, away: int) -> bool:
-    """True if there is such a cell, which was farther from all members; now it is so many columns or lines away."""
+def lower_to(entry: IndexRow, cells: Table[CellRow], column: int, line: int, quarter: int, away: int) -> bool:
+    """True if there is such a cell, whose square was wider; now it is so many cells wide."""
     if not (0 <= column < entry["columns"] and 0 <= line < entry["lines"]):
         return False
     cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
-    if cell["clear"] <= away:
+    if clear_towards(cell, quarter) <= away:
         return False
-    cell["clear"] = away
+    set_clear(cell, quarter, away)
     return True
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import carom
 from carom.rows.state import QUADTREE
 from carom.world.kernels.broad_phase.patching import is_met_later, patch_index
-from carom.world.kernels.broad_phase.shape_index import measure_clear
+from carom.world.kernels.broad_phase.shape_index import QUARTERS, clear_towards, measure_clear
 from tests.kernel_calls import prepare_index
 from tests.property.test_changes import cells_of, made_anew
 
@@ -59,9 +59,10 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
 
 
 def clear_of(world: carom.World) -> NDArray[np.int64]:
-    """How far each cell of the static shapes is from those with members, as it is written there."""
+    """How wide squares without members are from each cell of the static shapes on, as it is written there."""
     entry = world._arrays.index[0]
-    return world._arrays.cells["clear"][: int(entry["columns"]) * int(entry["lines"])].copy()
+    cells = world._arrays.cells[: int(entry["columns"]) * int(entry["lines"])]
+    return np.array([[clear_towards(cell, quarter) for quarter in range(QUARTERS)] for cell in cells])
 
 
 @pytest.mark.parametrize("gone", [0, 4])
