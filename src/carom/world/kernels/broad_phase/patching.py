@@ -1,6 +1,7 @@
 """Changing the index of the static shapes where shapes have come, gone or moved, instead of making it anew.
 
-What comes of it has the same members in the same cells in the same order as an index that is made anew.
+What comes of it has the same members in the same cells in the same order as an index that is made anew; for flights,
+maybe in cells that are laid a little otherwise.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from math import inf
 
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import GRID, StateRow
+from carom.rows.state import CONTINUOUS, GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
@@ -66,19 +67,25 @@ def patch_index(
 def is_laid_alike(
     state: StateRow, shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin: int, end: int
 ) -> bool:
-    """True if a grid that is made anew has the cells of the one there is.
+    """True if a grid that is made anew has the cells of the one there is, or these do as well.
 
-    `order[begin:end]` are the geometries of what is taken out and of what is put in.
+    `order[begin:end]` are the geometries of what is taken out and of what is put in. In discrete mode the boxes that
+    are tested count, so the cells must be the very same. Flights find the same in any cells: where the outermost goes
+    these stay, as long as they are of about the right size.
     """
     left, bottom = float(entry["left"]), float(entry["bottom"])
     right, top, reach = float(entry["right"]), float(entry["top"]), float(entry["reach"])
     if state["broad_phase"] != GRID or entry["cells_end"] == entry["cells_begin"] or entry["side"] == inf:
         return False
     count = int(state["fixed"] - state["dropped"])
-    if count == 0 or cell_side(state, right - left, top - bottom, count, reach) != entry["side"]:
+    if count == 0:
+        return False
+    side, wanted = float(entry["side"]), cell_side(state, right - left, top - bottom, count, reach)
+    flights = state["detection"] == CONTINUOUS
+    if not (0.5 * side <= wanted <= 2.0 * side if flights else wanted == side):
         return False
     inside = True
-    for k in range(begin, end):
+    for k in range(begin + int(state["taken"]) if flights else begin, end):
         shape = shapes[order[k]]
         inside = (
             inside
