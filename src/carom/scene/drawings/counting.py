@@ -92,10 +92,8 @@ def check_text(text: str) -> None:
     written = sum(one.entities for one in held.values())
     if written > MOST_ELEMENTS:
         raise SceneError(f"a drawing may have at most {MOST_ELEMENTS} entities")
-    if written <= QUICK:
-        return
     entities, curves = _total(held, "", {})
-    if entities > MOST_ELEMENTS:
+    if entities > MOST_ELEMENTS and written > QUICK:
         raise SceneError(f"a drawing may have at most {MOST_ELEMENTS} entities, those of blocks counted each time")
     if curves > MOST_CURVES:
         raise SceneError(f"a drawing may have at most {MOST_CURVES} curves")
