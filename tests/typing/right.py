@@ -174,6 +174,7 @@ axes = carom.study.plots.energy(recording)
 chaos = carom.study.lyapunov("sinai", n=10, hits=100, seed=1, speed=2.0)
 assert_type(chaos.seconds, float)
 axes = carom.study.plots.spectrum(chaos)
+assert_type(carom.study.boundary_map("circle", n=10, hits=10).density(bins=4).error, NDArray[np.float64])
 assert_type(carom.study.lyapunov_of(world, seconds=1).hits, int)
 assert_type(carom.study.section("wedge", cut=((0, 0), [0, 3]), n=10, hits=100, seed=1).along, NDArray[np.float64])
 

@@ -61,7 +61,7 @@ class CellRow(TypedDict):
     begin: i4
     end: i4
     depth: i4  # in a quadtree; of a grid's cell, members that are to come
-    clear: i8  # of a grid's cell: columns or lines to the nearest one with members, at most
+    clear: i8  # of a grid's cell: how wide squares from it on are without members, at most: see `measure_clear`
     marks: i8  # of a grid's cell: a bit for each of its parts, set where the box of a member is in reach
 
 

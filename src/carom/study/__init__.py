@@ -5,7 +5,7 @@
 
 from carom.study import measures, plots
 from carom.study.billiards.escapes import Correlation, Escape, correlation, escape
-from carom.study.billiards.maps import BoundaryMap, MeanFreePath, boundary_map, mean_free_path
+from carom.study.billiards.maps import BoundaryMap, Density, MeanFreePath, boundary_map, mean_free_path
 from carom.study.billiards.running import RunLyapunov, lyapunov_of
 from carom.study.billiards.sections import Section, section
 from carom.study.billiards.spectra import Lyapunov, lyapunov
@@ -15,6 +15,7 @@ from carom.study.sweeps import sweep
 __all__ = [
     "BoundaryMap",
     "Correlation",
+    "Density",
     "Escape",
     "Lyapunov",
     "MeanFreePath",

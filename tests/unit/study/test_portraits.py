@@ -59,7 +59,7 @@ def a_spectrum() -> Lyapunov:
 def a_section() -> Section:
     """Three crossings, made up, of two orbits."""
     numbers, times = np.array([0, 0, 9]), np.array([1.0, 2.0, 1.5])
-    return Section(((0.0, 0.0), (3.0, 4.0)), numbers, times, times + 2.0, times - 3.0, times, 4.0)
+    return Section(((0.0, 0.0), (3.0, 4.0)), numbers, times, times + 2.0, times - 3.0, times, 4.0, 3, 9.0)
 
 
 PLOTS: list[tuple[Callable[..., Any], Any]] = [

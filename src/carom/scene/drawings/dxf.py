@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from io import StringIO
+from logging import ERROR, getLogger
 from typing import Any
 
 from ezdxf.entities.insert import Insert
@@ -15,6 +16,7 @@ from ezdxf.lldxf.encoding import decode_dxf_unicode
 from carom.errors import SceneError
 from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body, Drawing
+from carom.scene.drawings.counting import check_text
 from carom.scene.drawings.entities import DRAWS, disc, discs_of, outlines_of
 from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS
 from carom.scene.drawings.pieces import is_nothing
@@ -51,10 +53,7 @@ class DxfReader:
         self._drawing = drawing
         drawing.where = "the drawing"
         self._text = _text_of(data)
-        try:
-            self._document: Any = read(StringIO(self._text))
-        except (DXFError, OSError, ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
-            raise SceneError(f"is no DXF that can be read: {error or type(error).__name__}") from None
+        self._document: Any = _document_of(self._text)
         self._hidden = {
             layer.dxf.name.upper()
             for layer in self._document.layers
@@ -200,6 +199,20 @@ class DxfReader:
 # -- files -------------------------------------------------------------------------------------------------------------
 
 
+def _document_of(text: str) -> Any:
+    """The document that ezdxf reads from a text; raises `SceneError`."""
+    log = getLogger("ezdxf")
+    level = log.level
+    # What it warns of says nothing to who plays the drawing, and may be a line for each entity.
+    log.setLevel(ERROR)
+    try:
+        return read(StringIO(text))
+    except (DXFError, OSError, ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
+        raise SceneError(f"is no DXF that can be read: {error or type(error).__name__}") from None
+    finally:
+        log.setLevel(level)
+
+
 def _text_of(data: bytes) -> str:
     """The text of a DXF file, whose encoding stands in its header; raises `SceneError`."""
     if data.startswith(b"AutoCAD Binary DXF"):
@@ -214,6 +227,6 @@ def _text_of(data: bytes) -> str:
         text = data.decode(page, "surrogateescape")
     except (LookupError, UnicodeError):  # of a page that there is not
         text = data.decode("cp1252", "replace")
-    if len(re.findall(r"^ *0\r?$", text, re.MULTILINE)) > 4 * MOST_ELEMENTS:
-        raise SceneError(f"a drawing may have at most {MOST_ELEMENTS} entities")
-    return text.replace("\r\n", "\n")
+    text = text.replace("\r\n", "\n")
+    check_text(text)
+    return text

@@ -15,3 +15,11 @@ LONGEST_ENTITY = 1000
 FARTHEST = 1e100
 #: Arcs that curves become, all taken together, as they are estimated beforehand: each takes a kilobyte and a half.
 MOST_ARCS = 250_000
+#: Curves, with those that stand in a drawing more than once counted each time: each takes two arcs at least.
+MOST_CURVES = 125_000
+#: About how many curves are looked at first where there are many more, and how many times too many arcs they must say
+#: before all are believed to be too many.
+SAMPLE = 6_000
+SURE = 1.05
+#: Characters of an outline for each that is no digit: a number with more digits than this is none.
+LONGEST_NUMBER = 1000

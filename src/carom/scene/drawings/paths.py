@@ -15,13 +15,18 @@ from carom.scene.drawings.pieces import Cubic, Piece, Straight, Vector
 #: Atomic: digits that stand together are one number, and are not tried as several.
 NUMBER = r"(?>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _NUMBER = re.compile(NUMBER)
-_COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*)")
+COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*)")
 _GAP = r"[\s,]*"
 #: The flags of an arc are single digits, and need nothing between them.
 _ARC = re.compile(_GAP.join(["", *[rf"({NUMBER})"] * 3, *[r"([01])"] * 2, *[rf"({NUMBER})"] * 2, ""]))
 
 #: How many numbers each command takes.
-_TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+
+
+def count_numbers(text: str) -> int:
+    """How many numbers there are in a text."""
+    return len(_NUMBER.findall(text))
 
 
 def numbers(text: str) -> list[float]:
@@ -53,7 +58,7 @@ def subpaths(data: str) -> list[list[Piece]]:
     begin = data.lstrip()
     if begin[0] not in "Mm":
         raise ValueError(f"must begin with M, not {begin[:20]!r}")
-    for found in _COMMAND.finditer(begin):
+    for found in COMMAND.finditer(begin):
         try:
             pen.obey(found[1], found[2])
         except ValueError as error:
@@ -89,7 +94,7 @@ class _Pen:
             self._close()
             return
         values = _arc_numbers(given) if kind == "A" else numbers(given)
-        takes = _TAKES[kind]
+        takes = TAKES[kind]
         if not values or len(values) % takes:
             raise ValueError(f"{command} takes {takes} numbers at a time, not {len(values)}")
         for at in range(0, len(values), takes):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from math import isnan
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from pydantic import ValidationError
 
@@ -20,10 +20,13 @@ from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.joints import joined, size_of, smoothed
-from carom.scene.drawings.limits import FARTHEST, MOST_ARCS
+from carom.scene.drawings.limits import FARTHEST, MOST_ARCS, SURE
 from carom.scene.drawings.pieces import Piece, arcs_of, is_bare
 from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
+
+if TYPE_CHECKING:
+    from carom.scene.drawings.svg import Sample
 
 #: The endings of drawings.
 ENDINGS = (".svg", ".dxf")
@@ -60,10 +63,10 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     """The scene that a drawing shows."""
     faults = Faults(WorldDescriptor)
     drawing = Drawing(faults)
-    kept = _read_into(drawing, path)
+    kept = _read_into(drawing, path, tolerance)
     if kept is not None:
         return Reading(kept, {}, 0.0)
-    bodies = [part for body in drawing.bodies for part in (body.parts if body.parts is not None else [body])]
+    bodies = _parts_in(drawing)
     size = size_of([outline for body in bodies for outline in body.outlines])
     if not size <= FARTHEST:
         _refuse_far(bodies, faults)
@@ -91,7 +94,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     return Reading({"guard": True, **scene, "world": world}, lists, used)
 
 
-def _read_into(drawing: Drawing, path: str | os.PathLike[str]) -> dict[str, Any] | None:
+def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float | None) -> dict[str, Any] | None:
     """Take in a file, once the package that it needs is there; the table of the scene that is kept in it, if one is."""
     if Path(path).suffix.lower() == ".dxf":
         needed("ezdxf", "ezdxf", "drawings", "DXF drawings")
@@ -105,6 +108,9 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str]) -> dict[str, Any]
     reader = SvgReader(data_of(path), drawing)
     kept = reader.kept_scene()
     if kept is None:
+        sample = reader.sample()
+        if sample is not None:
+            _refuse_sampled(sample, tolerance)
         reader.read()
     return kept
 
@@ -120,6 +126,28 @@ def _refuse_far(bodies: list[Body], faults: Faults) -> NoReturn:
     if faults.count == before:
         faults.add_words("the drawing", large)
     raise faults.error()
+
+
+def _parts_in(drawing: Drawing) -> list[Body]:
+    """The bodies of a drawing, of compounds their parts."""
+    return [part for body in drawing.bodies for part in (body.parts if body.parts is not None else [body])]
+
+
+def _refuse_sampled(sample: Sample, tolerance: float | None) -> None:
+    """Raise where some of a drawing says that all of it would surely become too many arcs."""
+    bodies = _parts_in(sample.drawing)
+    used = tolerance
+    if used is None:
+        size = max(sample.page, size_of([outline for body in bodies for outline in body.outlines]))
+        used = sample.drawing.world.get("tolerance", TOLERANCE * size)
+    if not used > 0.0:
+        return
+    arcs = sum(arcs_of(piece, used) for body in bodies for outline in body.outlines for piece in outline)
+    if arcs > SURE * MOST_ARCS * sample.share:
+        raise SceneError(
+            f"{sample.drawing.where}: the curves need about {arcs / sample.share:.2g} arcs at a tolerance of "
+            f"{used:.3g}: a drawing may have at most {MOST_ARCS}, and a larger tolerance needs fewer"
+        )
 
 
 def _refuse_many(bodies: list[Body], tolerance: float) -> None:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from random import Random
+from typing import Any, NamedTuple
 
 from carom.errors import SceneError
+from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body, Drawing
+from carom.scene.drawings.counting import Amount, own_of, refuse_amount
 from carom.scene.drawings.keeping import kept_in
-from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS, MOST_MARKS
+from carom.scene.drawings.limits import DEEPEST, MOST_CURVES, MOST_ELEMENTS, MOST_MARKS, SAMPLE
 from carom.scene.drawings.outlines import DRAWS, NEEDS, length, outlines_of
 from carom.scene.drawings.pieces import Matrix, Vector, is_nothing
 from carom.scene.drawings.sheets import Sheet, is_painted
@@ -17,6 +20,7 @@ from carom.scene.drawings.transforms import transform
 from carom.scene.drawings.tree import MARK, XLINK, Element, read_tree
 from carom.scene.drawings.view_boxes import fitting, page_of
 from carom.scene.drawings.words import Said, is_pivot, said_by, world_of
+from carom.scene.faults import Faults
 
 #: What holds other elements and draws them.
 GROUPS = frozenset({"a", "g", "svg", "switch", "use"})
@@ -54,6 +58,14 @@ class Below:
     compound: Body | None = None
 
 
+class Sample(NamedTuple):
+    """Some of the bodies of a drawing, the share of all that they are, about, and the longer side of its page."""
+
+    drawing: Drawing
+    share: float
+    page: float
+
+
 class SvgReader:
     """Reads one drawing into `drawing`."""
 
@@ -64,14 +76,28 @@ class SvgReader:
             raise SceneError(f"{self._root}: must be an svg element")
         named = [element for element in self._root.walk() if "id" in element.attributes]
         self._by_id = {element.attributes["id"]: element for element in reversed(named)}
-        self._sizes: dict[int, int] = {}
-        self._check_size(self._root, 0)
-        self._marks = 0
+        self._amounts: dict[int, Amount] = {}
+        self._check_amount(self._root, 0)
+        self._share = 1.0
+        self._chance = Random(0)
         self._sheet = Sheet(self._root)
 
     def kept_scene(self) -> dict[str, Any] | None:
         """The table of the scene that the drawing is a picture of, None where it is none of carom's."""
         return kept_in(self._root)
+
+    def sample(self) -> Sample | None:
+        """Some of the bodies of a drawing, where it has so many curves that all take long."""
+        share = SAMPLE / max(1, self._amounts[id(self._root)].curves)
+        if share > 0.5:
+            return None
+        kept, self._drawing, self._share = self._drawing, Drawing(Faults(WorldDescriptor)), share
+        try:
+            self.read()
+            page = page_of(self._root)
+            return Sample(self._drawing, share, max(page.width or 0.0, page.height or 0.0))
+        finally:
+            self._drawing, self._share = kept, 1.0
 
     def read(self) -> None:
         """Take in all that is in the drawing."""
@@ -93,24 +119,28 @@ class SvgReader:
 
     # -- before anything is drawn ----------------------------------------------------------------------------------
 
-    def _check_size(self, element: Element, depth: int) -> int:
-        """How many elements are drawn for one, by reference too; raises where there is no end to them."""
+    def _check_amount(self, element: Element, depth: int) -> Amount:
+        """How much is drawn for an element, by reference too; raises where that is too much, or without end."""
         key = id(element)
-        if key in self._sizes:
-            if self._sizes[key] == 0:
+        if key in self._amounts:
+            if self._amounts[key].elements == 0:
                 raise SceneError(f"{element}: is drawn again by what is in it, without end")
-            return self._sizes[key]
+            return self._amounts[key]
         if depth > 2 * DEEPEST:
             raise SceneError(f"{element}: nested too deeply by reference: more than {DEEPEST} levels")
-        self._sizes[key] = 0
-        size = 1 + sum(self._check_size(child, depth + 1) for child in element.children)
+        self._amounts[key] = Amount(0, 0, 0)
+        elements, (marks, curves) = 1, own_of(element)
         target = self._target_of(element)
-        if target is not None:
-            size += self._check_size(target, depth + 1)
-        if size > MOST_ELEMENTS:
-            raise SceneError(f"{element}: draws more than {MOST_ELEMENTS} elements, by reference")
-        self._sizes[key] = size
-        return size
+        for child in element.children if target is None else [*element.children, target]:
+            if child.children or child.tag == "use":
+                inner, more, bent = self._check_amount(child, depth + 1)
+            else:
+                inner, (more, bent) = 1, own_of(child)
+            elements, marks, curves = elements + inner, marks + more, curves + bent
+            if elements > MOST_ELEMENTS or marks > MOST_MARKS or curves > MOST_CURVES:
+                refuse_amount(elements, marks, child)
+        self._amounts[key] = Amount(elements, marks, curves)
+        return self._amounts[key]
 
     def _target_of(self, element: Element) -> Element | None:
         """What a `use` refers to, in this file; None for what refers to nothing that is in it."""
@@ -124,6 +154,8 @@ class SvgReader:
     def _visit(self, element: Element, below: Below) -> None:
         """Take in an element and what is in it; where something is wrong with it that is noted, and it left out."""
         if MARK in element.tag or element.tag in SILENT:
+            return
+        if self._share < 1.0 and element.tag in DRAWS and self._chance.random() > self._share:
             return
         properties = {**below.properties, **self._sheet.properties_of(element)}
         if properties.pop("display", "") == "none":
@@ -196,10 +228,6 @@ class SvgReader:
 
     def _draw(self, element: Element, state: Below, said: Said) -> None:
         """Add the body of an element that draws an outline."""
-        text = element.attributes.get("d", "") or element.attributes.get("points", "")
-        self._marks += len(text.encode().translate(None, b"0123456789"))
-        if self._marks > MOST_MARKS:
-            raise SceneError(f"{element}: the outlines of the drawing have too many points, all taken together")
         filled = is_painted(state.properties.get("fill", "black"))
         if not filled and not is_painted(state.properties.get("stroke", "none")) and not said.options:
             return

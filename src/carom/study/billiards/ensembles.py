@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import pi
+from itertools import repeat
+from math import ceil, pi
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -27,6 +28,9 @@ BATCH = 500
 #: A run for so many hits first takes this part of the time that they need on average, then goes on by a smaller one,
 #: which grows, so many times at most. Between two parts the balls that have had enough are let go.
 FIRST, FURTHER, MORE, MOST_RUNS = 0.85, 0.08, 1.3, 60
+#: Hits in one run of that part, about: so few that they stay in a cache until they are looked at, so many that what a
+#: run takes to begin is nothing.
+RUN = 50_000
 
 
 class Flights(NamedTuple):
@@ -44,18 +48,17 @@ class Flights(NamedTuple):
 class Batch:
     """Some orbits of an ensemble: the table, a world of it with a ball for each, and the number of the first of them.
 
-    `free_time` is about how long a ball flies from wall to wall.
+    `track` is where hits on the table's walls are; `free_time` is about how long a ball flies from wall to wall. The
+    world and the track are those of all batches of an ensemble: what is asked of one is asked before the next is made.
     """
 
     table: Table
     world: World
+    track: Track
     first: int
     free_time: float
 
     def __post_init__(self) -> None:
-        shapes: Any = self.world.shapes
-        self._walls = [piece for loop in self.table.loops for piece in loop.pieces]
-        self._track = Track([Piece(shapes[wall.place], wall.forward) for wall in self._walls])
         self._first_id = int(self.world.balls.id[0])
         self.size = len(self.world.balls)
 
@@ -83,19 +86,20 @@ class Batch:
 
     def boundary(self, hits: Hits) -> tuple[Floats, Floats]:
         """Where along the table's outline hits are, loop after loop, and the sines of their angles of incidence."""
-        places, on = self._track.places_of(hits["shape"])
+        places, on = self.track.places_of(hits["shape"])
         rows = hits.view(np.ndarray)
         if on.all():
-            return self._track.coordinates(rows, places)
+            return self.track.coordinates(rows, places)
         along, sine = np.empty(len(hits)), np.empty(len(hits))
-        along[on], sine[on] = self._track.coordinates(rows[on], places[on])
+        along[on], sine[on] = self.track.coordinates(rows[on], places[on])
         along[~on], sine[~on] = self._at_corners(rows[~on])
         return along, sine
 
     def _at_corners(self, hits: Rows) -> tuple[Floats, Floats]:
         """The same for hits on the points of corners, whose tangent is square to the ball's way off."""
-        ends = np.array([wall.ends[0] for wall in self._walls])
-        begins = np.cumsum([0.0, *(wall.wall.length for wall in self._walls[:-1])])
+        walls = self.table.pieces
+        ends = np.array([wall.ends[0] for wall in walls])
+        begins = np.cumsum([0.0, *(wall.wall.length for wall in walls[:-1])])
         away = hits["point"][:, None, :] - ends
         nearest = np.argmin(np.sum(away * away, axis=-1), axis=1)
         normal, velocity = hits["normal"], hits["velocity"]
@@ -107,9 +111,30 @@ class Batch:
 def batches(table: Table, starts: Starts, speed: float) -> Iterator[Batch]:
     """Worlds that hold the orbits from `starts`, some hundreds each; `speed` is the greatest of a ball."""
     free_time = pi * table.area / (table.perimeter * speed)
-    for first in range(0, len(starts.position), BATCH):
-        some = Starts(*(column[first : first + BATCH] for column in starts))
-        yield Batch(table, table.world_of(some), first, free_time)
+    world = table.world_of(Starts(*(column[:BATCH] for column in starts)))
+    shapes: Any = world.shapes
+    track = Track([Piece(shapes[wall.place], wall.forward) for wall in table.pieces])
+    yield Batch(table, world, track, 0, free_time)
+    for first in range(BATCH, len(starts.position), BATCH):
+        table.fill(world, Starts(*(column[first : first + BATCH] for column in starts)))
+        yield Batch(table, world, track, first, free_time)
+
+
+def _runs_for(batch: Batch, hits: int) -> Iterator[tuple[float, bool]]:
+    """How long to run a batch, time after time, until each orbit has so many hits.
+
+    With each whether to let those go then that have them. That begins the flights of all balls anew, to other last
+    digits, so the first part's runs do not.
+    """
+    needed = hits * batch.free_time
+    parts = ceil(FIRST * hits * batch.size / RUN)
+    part = FIRST * needed / parts
+    yield from repeat((part, False), parts - 1)
+    yield FIRST * needed - (parts - 1) * part, True
+    further = max(FURTHER * needed, batch.free_time)
+    for _ in range(MOST_RUNS):
+        yield further, True
+        further *= MORE
 
 
 def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
@@ -117,19 +142,17 @@ def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
 
     Raises `InvalidArgument` where a ball stops bouncing, on a wall that takes its speed.
     """
-    needed = hits * batch.free_time
-    seconds, further = FIRST * needed, max(FURTHER * needed, batch.free_time)
     columns: list[tuple[Numbers, Floats, Floats, Floats]] = []
     counts = np.zeros(batch.size, np.int64)
-    for _ in range(MOST_RUNS):
+    for seconds, letting_go in _runs_for(batch, hits):
         found = batch.run(seconds)
         numbers = batch.numbers(found)
         counts += np.bincount(numbers, minlength=batch.size)
         columns.append((numbers, np.ascontiguousarray(found["time"]), *batch.boundary(found)))
         if counts.min() >= hits:
             break
-        batch.world.balls.can_collide[:] = counts < hits
-        seconds, further = further, MORE * further
+        if letting_go:
+            batch.world.balls.can_collide[:] = counts < hits
     else:
         raise refuse("scene", f"must let balls bounce; one has done so {counts.min()} times", batch.table.scene.name)
     numbers, *values = (np.concatenate(parts) for parts in zip(*columns, strict=True))

@@ -18,6 +18,42 @@ from carom.study.billiards.tables import Table, table
 MOST_HITS = 100_000_000
 
 
+#: Bins along either side at most.
+MOST_BINS = 1000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Density:
+    """How much of what orbits do falls into each of the bins of a rectangle, `value` and `error` of shape (bins, bins).
+
+    Attributes:
+        value: The mean over the orbits.
+        error: Its standard error, from how the orbits differ.
+        first: The edges of the bins that the rows are, one more than bins.
+        second: Those of the columns.
+    """
+
+    value: Floats
+    error: Floats
+    first: Floats
+    second: Floats
+
+
+def density_of(orbit: Numbers, orbits: int, columns: tuple[Floats, Floats], edges: tuple[Floats, Floats]) -> Density:
+    """How many of some places of each of so many orbits fall into each bin, the mean and its error."""
+    bins = len(edges[0]) - 1
+    pairs = zip(edges, columns, strict=True)
+    at = [np.clip(np.searchsorted(edge, x, side="right") - 1, 0, bins - 1) for edge, x in pairs]
+    cells, counts = np.unique((at[0] * bins + at[1]) * orbits + orbit, return_counts=True)
+    total, squares = np.zeros(bins * bins), np.zeros(bins * bins)
+    np.add.at(total, cells // orbits, counts)
+    np.add.at(squares, cells // orbits, counts * counts)
+    value = total / orbits
+    scatter = np.maximum(squares / orbits - value * value, 0.0)
+    error = np.sqrt(scatter / max(orbits - 1, 1))
+    return Density(value.reshape(bins, bins), error.reshape(bins, bins), *edges)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class BoundaryMap:
     """Orbits on the outline of a table in the coordinates of Birkhoff; a row of each array is an orbit.
@@ -33,6 +69,20 @@ class BoundaryMap:
     time: Floats
     arc_length: Floats
     sine: Floats
+
+    @spelled
+    def density(self, bins: int = 10) -> Density:
+        """Which share of the hits is in each bin of arc length and sine, with its error, from how the orbits differ.
+
+        Of starts from the walls it is even, as the invariant measure is: 1/bins² in each. Raises `InvalidArgument` for
+        what is no number of bins.
+        """
+        count = whole("bins", bins, 1, MOST_BINS)
+        orbits, hits = self.sine.shape
+        edges = np.linspace(0.0, self.table.perimeter, count + 1), np.linspace(-1.0, 1.0, count + 1)
+        orbit = np.repeat(np.arange(orbits), hits)
+        found = density_of(orbit, orbits, (self.arc_length.ravel(), self.sine.ravel()), edges)
+        return Density(found.value / hits, found.error / hits, *edges)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

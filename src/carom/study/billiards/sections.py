@@ -14,7 +14,7 @@ from carom.scene.shape_descriptors import SegmentDescriptor
 from carom.shapes.segment import Segment
 from carom.spelling import spelled
 from carom.study.billiards.ensembles import Batch, Numbers, batches
-from carom.study.billiards.maps import MOST_HITS
+from carom.study.billiards.maps import MOST_BINS, MOST_HITS, Density, density_of
 from carom.study.billiards.outline import Floats
 from carom.study.billiards.tables import Table, table
 from carom.typing import Vector
@@ -32,6 +32,8 @@ class Section:
         along: The velocity along the line, positive towards its second end.
         across: The velocity across it, positive.
         seconds: How long each orbit was followed.
+        orbits: How many there were.
+        speed: The greatest of a ball.
     """
 
     cut: tuple[Vector, Vector]
@@ -41,6 +43,21 @@ class Section:
     along: Floats
     across: Floats
     seconds: float
+    orbits: int
+    speed: float
+
+    @spelled
+    def density(self, bins: int = 10) -> Density:
+        """How many crossings a second an orbit has in each bin of distance and of the velocity along the line.
+
+        The mean of all orbits, with its error, from how they differ. Without gravity it is even:
+        speed·length/(π·area·bins²) in each. Raises `InvalidArgument` for what is no number of bins.
+        """
+        count = whole("bins", bins, 1, MOST_BINS)
+        (ax, ay), (bx, by) = self.cut
+        edges = np.linspace(0.0, hypot(bx - ax, by - ay), count + 1), np.linspace(-self.speed, self.speed, count + 1)
+        found = density_of(self.orbit, self.orbits, (self.distance, self.along), edges)
+        return Density(found.value / self.seconds, found.error / self.seconds, *edges)
 
 
 @spelled
@@ -85,7 +102,7 @@ def section(
         seconds = count * batch.free_time
         found.append(_crossings(batch, seconds, ends))
     orbit, time, distance, along, across = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    return Section(ends, orbit, time, distance, along, across, seconds)
+    return Section(ends, orbit, time, distance, along, across, seconds, len(starts.position), float(speed))
 
 
 def _ends(room: Table, cut: Segment | str | ArrayLike) -> tuple[Vector, Vector]:

@@ -22,7 +22,7 @@ from carom.scene.shape_descriptors import (
     SegmentDescriptor,
 )
 from carom.spelling import spelled
-from carom.study.billiards.outline import Floats, Loop, Wall, loops_of, named
+from carom.study.billiards.outline import Floats, Loop, Piece, Wall, loops_of, named
 
 if TYPE_CHECKING:
     from carom.world import World
@@ -57,6 +57,11 @@ class Table:
 
     scene: Scene
     loops: tuple[Loop, ...]
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """The walls of all loops, loop after loop, each in order."""
+        return [piece for loop in self.loops for piece in loop.pieces]
 
     @cached_property
     def area(self) -> float:
@@ -124,10 +129,14 @@ class Table:
         from carom.world import World  # here, so that tables can be measured without a compiler
 
         world = World()
+        self.fill(world, starts)
+        return world
+
+    def fill(self, world: World, starts: Starts) -> None:
+        """Make a world what `world_of` returns, which takes less where it has been that before."""
         world.restore(self._walls)
         radius = POINT * self.size
         world.add_balls(*starts, radius=radius, layer=BALL_LAYER, collides_with=OTHER_LAYERS)
-        return world
 
     @cached_property
     def _walls(self) -> bytes:
@@ -171,7 +180,7 @@ class Table:
 
     def _at(self, along: Floats) -> tuple[Floats, Floats]:
         """The places so far along the outline, loop after loop, and the loops' unit tangents there."""
-        pieces = [piece for loop in self.loops for piece in loop.pieces]
+        pieces = self.pieces
         begins = np.cumsum([0.0, *(piece.wall.length for piece in pieces)])
         numbers = np.clip(np.searchsorted(begins, along, side="right") - 1, 0, len(pieces) - 1)
         places, tangents = np.empty((len(along), 2)), np.empty((len(along), 2))

@@ -200,3 +200,15 @@ def test_broken_files_are_refused(tmp_path: Path, data: bytes, said: str) -> Non
     path = tmp_path / "broken.dxf"
     path.write_bytes(data)
     assert said in said_of(path)
+
+
+def test_what_ezdxf_warns_of_is_not_told_for_each_entity(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    path = saved(tmp_path, lambda _, space: [space.add_line((0, 0), (k, 1)) for k in range(1, 9)])
+    lines = path.read_text().split("\n")
+    handles = [k + 3 for k, line in enumerate(lines) if line == "LINE" and lines[k + 1].strip() == "5"]
+    for place in handles:
+        lines[place - 1] = "ABC"
+    assert len(handles) == 8
+    path.write_text("\n".join(lines))
+    carom.Scene.load(path)
+    assert not caplog.records

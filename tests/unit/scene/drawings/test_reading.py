@@ -8,9 +8,12 @@ import pytest
 
 import carom
 from carom import draw
+from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings import reading
-from carom.scene.drawings.bodies import Body
+from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.pieces import Cubic
+from carom.scene.drawings.svg import SvgReader
+from carom.scene.faults import Faults
 from tests.clock import within
 from tests.drawings import drawn, loaded, refusal, svg
 from tests.unit.scene.everything import world_of_everything
@@ -123,6 +126,34 @@ def test_a_hundred_thousand_curves_are_let_through_and_refused_at_once_where_the
     reading._refuse_many([body] * 100_000, 3.0)
     with within(1.0), pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
         reading._refuse_many([body] * 100_000, 3e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [40_000, 70_000])
+def test_where_some_of_many_curves_say_that_they_are_too_many_arcs_the_rest_is_not_read(
+    tmp_path: Path, count: int
+) -> None:
+    curves = "".join(f'<path d="M{k % 97} 0C30 {k % 89} {k % 83} 90 90 {k % 79}"/>' for k in range(count))
+    with within(1.0):
+        said = refusal(tmp_path, curves)
+    assert "<svg> (line 1): the curves need about" in said
+    assert "a larger tolerance needs fewer" in said
+
+
+def test_a_sample_is_believed_where_it_is_sure_and_the_page_is_as_large_as_it_says(tmp_path: Path) -> None:
+    path = tmp_path / "a.svg"
+    path.write_text(svg('<path d="M1 0C30 50 20 90 90 70"/>' * 20_000, 'width="100" height="100"'))
+    reader = SvgReader(path.read_bytes(), Drawing(Faults(WorldDescriptor)))
+    sample = reader.sample()
+    assert sample is not None
+    assert (sample.share, sample.page) == (0.3, 100.0)
+    assert 5000 < len(sample.drawing.bodies) < 7000
+    reading._refuse_sampled(sample, 0.5)
+    reading._refuse_sampled(sample._replace(page=1e6), None)
+    with pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
+        reading._refuse_sampled(sample, 1e-3)
+    path.write_text(svg('<path d="M1 0C30 50 20 90 90 70"/>' * 9000))
+    assert SvgReader(path.read_bytes(), Drawing(Faults(WorldDescriptor))).sample() is None
 
 
 MANY = """

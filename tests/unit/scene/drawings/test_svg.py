@@ -278,6 +278,13 @@ def test_what_draws_nothing_is_listed(tmp_path: Path, inside: str, told: str) ->
         ("".join(f'<g id="n{k}"><use href="#n{k + 1}"/></g>' for k in range(5000)), "nested too deeply by reference"),
         (f'<polyline points="{"1 1 " * 1_000_000}"/>', "too many points"),
         (f'<path d="M0 0{"l1 1" * 1_000_000}"/>', "too many points"),
+        (
+            f'<path id="p" d="M0 0{"t1 2" * 125_001}"/>',
+            '<path id="p"> (line 2): a drawing may have at most 125000 curves',
+        ),
+        (f'<path id="p" d="M0 0{"t1 2" * 2000}"/>' + '<use href="#p"/>' * 80, "at most 125000 curves"),
+        ('<g id="g">' + '<ellipse rx="1" ry="2"/>' * 500 + "</g>" + '<use href="#g"/>' * 250, "at most 125000 curves"),
+        (f'<path d="M{"1" * 5_000_000} 0"/>', "numbers with more than 1000 digits"),
         ('<g data-carom-pivot="1 1"><g id="in" data-carom-pivot="1 1"/></g>', "has one, and this is in it"),
         ('<line x2="1e200"/>', "is too large"),
         ("</svg><svg>", "line 2: is not well-formed XML"),

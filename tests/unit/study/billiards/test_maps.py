@@ -100,6 +100,29 @@ def test_the_mean_free_path_of_few_orbits_is_within_its_error() -> None:
     assert len(found.paths) == found.counts.sum() - 40
 
 
+def test_hits_of_starts_from_the_walls_are_even_within_their_errors() -> None:
+    found = study.boundary_map("mushroom", n=1000, hits=20).density(bins=4)
+    assert found.value.sum() == pytest.approx(1.0)
+    assert found.first.tolist() == pytest.approx(np.linspace(0.0, study.table("mushroom").perimeter, 5).tolist())
+    assert found.second.tolist() == [-1.0, -0.5, 0.0, 0.5, 1.0]
+    away = (found.value - 1.0 / 16.0) / found.error
+    assert abs(away).max() < 4.0
+    assert 0.3 < np.mean(away * away) < 2.0
+    assert found.error.max() < 0.006
+
+
+def test_the_error_of_a_density_is_how_the_orbits_differ() -> None:
+    found = study.boundary_map("circle", n=30, hits=9, seed=2)
+    density = found.density(bins=3)
+    rows = np.clip((3.0 * found.arc_length / found.table.perimeter).astype(int), 0, 2)
+    columns = np.clip((1.5 * (found.sine + 1.0)).astype(int), 0, 2)
+    shares = [[np.mean((rows == k) & (columns == m), axis=1) for m in range(3)] for k in range(3)]
+    assert density.value == pytest.approx(np.mean(shares, axis=2))
+    assert density.error == pytest.approx(np.std(shares, axis=2, ddof=1) / sqrt(30))
+    with pytest.raises(carom.InvalidArgument, match="bins must be from 1"):
+        found.density(bins=0)
+
+
 @pytest.mark.parametrize(
     ("study_of", "given", "told"),
     [

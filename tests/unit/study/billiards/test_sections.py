@@ -147,3 +147,16 @@ def test_the_share_of_order_in_a_mushroom_is_that_of_ways_which_pass_its_stem(
 def test_what_cannot_be_studied_is_refused(given: dict[str, Any], told: str) -> None:
     with pytest.raises(carom.InvalidArgument, match=told):
         study.section(**({"scene": "circle", "cut": ((0, 0), (1, 0))} | given))
+
+
+def test_crossings_are_as_many_in_each_bin_as_the_measure_of_phase_space_says() -> None:
+    table = study.table("stadium")
+    section = study.section(table, ((-0.3, -0.4), (0.5, 0.3)), n=1000, hits=40)
+    found = section.density(bins=3)
+    assert float(found.value.sum()) == pytest.approx(len(section.orbit) / (1000 * section.seconds))
+    assert (found.first[-1], found.second.tolist()) == (pytest.approx(hypot(0.8, 0.7)), [-1.0, *found.second[1:3], 1.0])
+    away = (found.value - hypot(0.8, 0.7) / (9.0 * pi * table.area)) / found.error
+    assert abs(away).max() < 4.0
+    assert 0.2 < np.mean(away * away) < 2.5
+    with pytest.raises(carom.InvalidArgument, match="bins must be a whole number"):
+        section.density(bins=2.5)  # type: ignore[arg-type]

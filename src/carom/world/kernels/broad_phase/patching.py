@@ -1,6 +1,7 @@
 """Changing the index of the static shapes where shapes have come, gone or moved, instead of making it anew.
 
-What comes of it has the same members in the same cells in the same order as an index that is made anew.
+What comes of it has the same members in the same cells in the same order as an index that is made anew; for flights,
+maybe in cells that are laid a little otherwise.
 """
 
 from __future__ import annotations
@@ -9,17 +10,20 @@ from math import inf
 
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import GRID, StateRow
+from carom.rows.state import CONTINUOUS, GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
+    QUARTERS,
     cell_side,
     cells_around,
+    clear_towards,
     comes_near,
     find_free,
     index_box,
     mark_parts,
     reach_of_cell,
+    set_clear,
 )
 
 
@@ -62,19 +66,25 @@ def patch_index(
 def is_laid_alike(
     state: StateRow, shapes: Table[ShapeRow], order: Table[int], entry: IndexRow, begin: int, end: int
 ) -> bool:
-    """True if a grid that is made anew has the cells of the one there is.
+    """True if a grid that is made anew has the cells of the one there is, or these do as well.
 
-    `order[begin:end]` are the geometries of what is taken out and of what is put in.
+    `order[begin:end]` are the geometries of what is taken out and of what is put in. In discrete mode the boxes that
+    are tested count, so the cells must be the very same. Flights find the same in any cells: where the outermost goes
+    these stay, as long as they are of about the right size.
     """
     left, bottom = float(entry["left"]), float(entry["bottom"])
     right, top, reach = float(entry["right"]), float(entry["top"]), float(entry["reach"])
     if state["broad_phase"] != GRID or entry["cells_end"] == entry["cells_begin"] or entry["side"] == inf:
         return False
     count = int(state["fixed"] - state["dropped"])
-    if count == 0 or cell_side(state, right - left, top - bottom, count, reach) != entry["side"]:
+    if count == 0:
+        return False
+    side, wanted = float(entry["side"]), cell_side(state, right - left, top - bottom, count, reach)
+    flights = state["detection"] == CONTINUOUS
+    if not (0.5 * side <= wanted <= 2.0 * side if flights else wanted == side):
         return False
     inside = True
-    for k in range(begin, end):
+    for k in range(begin + int(state["taken"]) if flights else begin, end):
         shape = shapes[order[k]]
         inside = (
             inside
@@ -174,29 +184,30 @@ def put_in(
 
 
 def lower_clear(entry: IndexRow, cells: Table[CellRow], column: int, line: int) -> None:
-    """Let the cells around one that has members know how near it is: ring by ring, up to one that is nearer to others.
+    """Let the cells around one that has members know how near it is, in each quarter as seen from them.
 
     Where members have gone cells say less than they could, which costs time alone.
     """
-    away, lowered = 0, True
-    while lowered:
-        lowered = False
-        for k in range(-away, away + 1):
-            lowered = lower_to(entry, cells, column + k, line - away, away) or lowered
-            lowered = lower_to(entry, cells, column + k, line + away, away) or lowered
-            lowered = lower_to(entry, cells, column - away, line + k, away) or lowered
-            lowered = lower_to(entry, cells, column + away, line + k, away) or lowered
-        away += 1
+    for quarter in range(QUARTERS):
+        right, up = 1 - 2 * (quarter % 2), 1 - 2 * (quarter // 2)
+        away, lowered = 0, True
+        # Ring by ring, up to one whose cells are all as near to others.
+        while lowered:
+            lowered = lower_to(entry, cells, column - right * away, line - up * away, quarter, away)
+            for k in range(away):
+                lowered = lower_to(entry, cells, column - right * away, line - up * k, quarter, away) or lowered
+                lowered = lower_to(entry, cells, column - right * k, line - up * away, quarter, away) or lowered
+            away += 1
 
 
-def lower_to(entry: IndexRow, cells: Table[CellRow], column: int, line: int, away: int) -> bool:
-    """True if there is such a cell, which was farther from all members; now it is so many columns or lines away."""
+def lower_to(entry: IndexRow, cells: Table[CellRow], column: int, line: int, quarter: int, away: int) -> bool:
+    """True if there is such a cell, whose square was wider; now it is so many cells wide."""
     if not (0 <= column < entry["columns"] and 0 <= line < entry["lines"]):
         return False
     cell = cells[int(entry["cells_begin"]) + line * int(entry["columns"]) + column]
-    if cell["clear"] <= away:
+    if clear_towards(cell, quarter) <= away:
         return False
-    cell["clear"] = away
+    set_clear(cell, quarter, away)
     return True
 
 

@@ -32,6 +32,11 @@ from carom.world.kernels.broad_phase.quadtree import build_tree, locate_node, pl
 FIXED = 0
 MOVING = 1
 
+#: The ways in which a grid is looked through from a cell, right and up, left and up, right and down, left and down; and
+#: the bits in which how far is kept for each, with the most that they hold.
+QUARTERS = 4
+CLEAR_BITS, CLEAR_MOST = 16, 32767
+
 #: Whether static shapes are in a grid, and kinematic ones, if there are any, in another; that of the static ones: left,
 #: bottom, 1/side, columns, lines; and a rectangle that is free of all: left, bottom, right, top.
 Front = tuple[bool, float, float, float, float, float, float, float, float, float]
@@ -337,30 +342,48 @@ def share_members(state: StateRow, entry: IndexRow, cells: Table[CellRow], room:
     return True
 
 
-def measure_clear(entry: IndexRow, cells: Table[CellRow]) -> None:
-    """Find how many columns or lines each cell of a grid is from the nearest that has members.
+def clear_towards(cell: CellRow, quarter: int) -> int:
+    """How many cells wide the square without members is that lies from a grid's cell on towards a quarter."""
+    return (int(cell["clear"]) >> (CLEAR_BITS * quarter)) & CLEAR_MOST
 
-    Once from the first cell to the last, and once back: a cell is one farther than its nearest neighbour. Source: A.
-    Rosenfeld and J. L. Pfaltz, "Sequential operations in digital picture processing", 1966.
+
+def set_clear(cell: CellRow, quarter: int, wide: int) -> None:
+    """Keep how wide that square is."""
+    bits = CLEAR_BITS * quarter
+    cell["clear"] = (int(cell["clear"]) & ~(CLEAR_MOST << bits)) | (wide << bits)
+
+
+def quarter_of(rightwards: bool, upwards: bool) -> int:
+    """The number of one of the four `QUARTERS` in which things may be, as seen from a cell."""
+    return (0 if rightwards else 1) + (0 if upwards else 2)
+
+
+def measure_clear(entry: IndexRow, cells: Table[CellRow]) -> None:
+    """Find how wide the squares without members are that lie from each cell of a grid on towards the four quarters.
+
+    One is wider by 1 than the narrowest of those of its cell's three neighbours on that side, as all of them lie in it.
     """
     columns, lines, first = int(entry["columns"]), int(entry["lines"]), int(entry["cells_begin"])
-    last = columns * lines - 1
-    for way in range(2):
-        back = 1 if way == 0 else -1
-        for k in range(last + 1):
-            place = k if way == 0 else last - k
-            cell = cells[first + place]
-            column, line = place % columns, place // columns
-            clear = columns + lines if way == 0 else int(cell["clear"])
-            if cell["end"] > cell["begin"]:
-                clear = 0
-            # The neighbours that come before it: the last one in its line, and three in the line before.
-            if 0 <= column - back < columns:
-                clear = min(clear, int(cells[first + place - back]["clear"]) + 1)
-            if 0 <= line - back < lines:
-                for beside in range(max(column - 1, 0), min(column + 2, columns)):
-                    clear = min(clear, int(cells[first + (line - back) * columns + beside]["clear"]) + 1)
-            cell["clear"] = clear
+    for quarter in range(QUARTERS):
+        right, up = 1 - 2 * (quarter % 2), 1 - 2 * (quarter // 2)
+        for k in range(columns * lines):
+            # From the side that is looked to, back: what lies there is known.
+            column, line = k % columns, k // columns
+            column = columns - 1 - column if right > 0 else column
+            line = lines - 1 - line if up > 0 else line
+            cell = cells[first + line * columns + column]
+            wide = 0
+            if cell["end"] == cell["begin"]:
+                wide = CLEAR_MOST - 1
+                beside, beyond = 0 <= column + right < columns, 0 <= line + up < lines
+                if beside:
+                    wide = min(wide, clear_towards(cells[first + line * columns + column + right], quarter))
+                if beyond:
+                    wide = min(wide, clear_towards(cells[first + (line + up) * columns + column], quarter))
+                if beside and beyond:
+                    wide = min(wide, clear_towards(cells[first + (line + up) * columns + column + right], quarter))
+                wide += 1
+            set_clear(cell, quarter, wide)
     entry["measured"] = 1
 
 

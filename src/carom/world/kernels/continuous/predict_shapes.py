@@ -5,7 +5,7 @@ What is found depends on the ball's path and the shape alone, not on from where 
 
 from __future__ import annotations
 
-from math import copysign, inf, sqrt
+from math import copysign, fabs, floor, inf, sqrt
 
 from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
 from carom.geometry.instants import later, seconds_since
@@ -22,7 +22,15 @@ from carom.rows.relation import RelationRow
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import GRID, StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING, cell_span, locate
+from carom.world.kernels.broad_phase.shape_index import (
+    FIXED,
+    MOVING,
+    QUARTERS,
+    cell_span,
+    clear_towards,
+    locate,
+    quarter_of,
+)
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_movers import predict_movers
@@ -102,14 +110,15 @@ def predict_on_way(
     With one at rest, or, where `moving`, with one that moves.
     """
     path = path_of(ball, flight)
+    _x, _y, begin_vx, begin_vy, gx, gy = path
+    if gx == 0.0 and gy == 0.0:
+        predict_on_line(state, ball, flight, shapes, entry, cells, members, relations, age, moving)
+        return
     side = float(entry["side"])
     left, bottom = float(entry["left"]), float(entry["bottom"])
     right, top = left + side * float(entry["columns"]), bottom + side * float(entry["lines"])
-    _x, _y, begin_vx, begin_vy, gx, gy = path
     pull = sqrt(gx * gx + gy * gy)
-    # Of a straight way, along which there may be many cells to skip, little is to be reckoned for each.
     step = (1.0 - SEARCH_MARGIN) * side
-    pace = time_to_go(sqrt(begin_vx * begin_vx + begin_vy * begin_vy), 0.0, step)
     known = entry["measured"] != 0
     begin, until = age, event_age(flight)
     for _ in range(FLIGHT_SLICES if state["binned"] == 0 else CROWD_SLICES):
@@ -119,11 +128,8 @@ def predict_on_way(
         if begin >= until:
             return
         clear = cells_clear(entry, cells, (x - left) / side, (y - bottom) / side) if known else 0
-        if pull == 0.0:
-            end = begin + pace * max(clear, 1)
-        else:
-            vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
-            end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, step * max(clear, 1))
+        vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
+        end = begin + time_to_go(sqrt(vx * vx + vy * vy), pull, step * max(clear, 1))
         if not end > begin:
             return
         if clear == 0:
@@ -131,6 +137,90 @@ def predict_on_way(
             until = event_age(flight)
         begin = end
     consider(flight, begin, LOOK, NO_BALL)
+
+
+def predict_on_line(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    entry: IndexRow,
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+    age: float,
+    moving: bool,
+) -> None:
+    """The same where the way is straight: by what it crosses of each cell, or of a square of cells without members.
+
+    Which cell comes next follows from the side by which the way leaves one, so that rounding holds it in none; members
+    are listed from so much farther off that no rounding of a place hides one.
+    """
+    path = path_of(ball, flight)
+    first_x, first_y, vx, vy, _gx, _gy = path
+    side, left, bottom = float(entry["side"]), float(entry["left"]), float(entry["bottom"])
+    columns, lines, first = int(entry["columns"]), int(entry["lines"]), int(entry["cells_begin"])
+    begin, until = age, event_age(flight)
+    x, y = place_on(path, begin)
+    right, top = left + side * columns, bottom + side * lines
+    if not (left <= x <= right and bottom <= y <= top):
+        begin = time_into_box(path, begin, left, bottom, right, top)
+        if begin >= until:
+            return
+        x, y = place_on(path, begin)
+    column = min(max(floor((x - left) / side), 0), columns - 1)
+    line = min(max(floor((y - bottom) / side), 0), lines - 1)
+    pace_x, pace_y, per_side = pace_of(vx), pace_of(vy), 1.0 / side
+    way_x, way_y = (1 if vx > 0.0 else -1), (1 if vy > 0.0 else -1)
+    known, quarter = entry["measured"] != 0, quarter_of(way_x > 0, way_y > 0)
+    for _ in range(FLIGHT_SLICES if state["binned"] == 0 else CROWD_SLICES):
+        cell = cells[first + line * columns + column]
+        clear = clear_towards(cell, quarter) if known else 0
+        wide = max(clear, 1)
+        across = time_out(first_x, pace_x, left, side, column, wide)
+        along = time_out(first_y, pace_y, bottom, side, line, wide)
+        end = max(min(across, along), begin)
+        low, high = int(cell["begin"]), int(cell["end"])
+        if clear == 0 and low < high:
+            if moving:
+                predict_movers(state, ball, flight, shapes, members, relations, low, high, begin, end)
+            else:
+                predict_members(state, ball, flight, shapes, members, relations, low, high, begin, end)
+            until = event_age(flight)
+        if end >= until:
+            return
+        if across <= along:
+            column += way_x * wide
+            line = between(floor((first_y + vy * end - bottom) * per_side), line, line + way_y * (wide - 1))
+        else:
+            line += way_y * wide
+            column = between(floor((first_x + vx * end - left) * per_side), column, column + way_x * (wide - 1))
+        if not (0 <= column < columns and 0 <= line < lines):
+            return
+        begin = end
+    if begin > age:
+        consider(flight, begin, LOOK, NO_BALL)
+
+
+def time_out(place: float, pace: float, edge: float, side: float, cell: int, wide: int) -> float:
+    """When a coordinate leaves a cell and those that lie before it, so many in all, of cells that begin at an edge.
+
+    `place` is that at the time 0, `pace` the inverse of its speed; infinite where it never leaves.
+    """
+    if fabs(pace) == inf:
+        return inf
+    ahead = cell + wide if pace > 0.0 else cell - wide + 1
+    return (edge + side * ahead - place) * pace
+
+
+def between(cell: int, one: int, other: int) -> int:
+    """A cell, or of two others the nearer one where it is not between them."""
+    return min(max(cell, min(one, other)), max(one, other))
+
+
+def pace_of(speed: float) -> float:
+    """The inverse of a speed, infinite for 0."""
+    return 1.0 / speed if speed != 0.0 else inf
 
 
 def cells_clear(entry: IndexRow, cells: Table[CellRow], across: float, along: float) -> int:
@@ -141,7 +231,11 @@ def cells_clear(entry: IndexRow, cells: Table[CellRow], across: float, along: fl
     columns, lines = int(entry["columns"]), int(entry["lines"])
     if not (0.0 <= across < columns and 0.0 <= along < lines):
         return 0
-    return max(int(cells[int(entry["cells_begin"]) + int(along) * columns + int(across)]["clear"]) - 1, 0)
+    cell = cells[int(entry["cells_begin"]) + int(along) * columns + int(across)]
+    least = clear_towards(cell, 0)
+    for quarter in range(1, QUARTERS):
+        least = min(least, clear_towards(cell, quarter))
+    return max(least - 1, 0)
 
 
 def time_into_box(path: Path, begin: float, left: float, bottom: float, right: float, top: float) -> float:
@@ -237,7 +331,10 @@ def predict_members(
     begin: float,
     end: float,
 ) -> None:
-    """Foresee impacts with those of the shapes `members[low:high]` that stand still, near a slice of a ball's way."""
+    """Foresee impacts with those of the shapes `members[low:high]` that stand still, on a slice of a ball's way.
+
+    What it meets later is found on a later slice, so that most shapes near a wall that it leaves take little.
+    """
     path, radius = path_of(ball, flight), float(ball["radius"])
     left, bottom, right, top = -inf, -inf, inf, inf
     if end < inf:
@@ -256,11 +353,11 @@ def predict_members(
             and not is_related(relations, ball, row)
         ):
             state["full_tests"] += 1
-            came = age_of_rest(shape, flight)
+            came, until = age_of_rest(shape, flight), min(end, event_age(flight))
             if came == 0.0:
-                time = impact_at_rest(shape, path, radius, event_age(flight))
+                time = impact_at_rest(shape, path, radius, until)
             else:
-                time = impact_at_rest(shape, path_after(path, came), radius, event_age(flight) - came)
+                time = impact_at_rest(shape, path_after(path, came), radius, until - came)
             if time is not None and not is_walked_over(ball, flight, shape, shapes, relations):
                 consider_shape(flight, shapes, came + time, row)
             if is_entered_past_ends(ball, shape):

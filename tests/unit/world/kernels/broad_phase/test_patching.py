@@ -8,17 +8,25 @@ from numpy.typing import NDArray
 
 import carom
 from carom.rows.state import QUADTREE
+from carom.typing import Detection
 from carom.world.kernels.broad_phase.patching import is_met_later, patch_index
-from carom.world.kernels.broad_phase.shape_index import measure_clear
+from carom.world.kernels.broad_phase.shape_index import (
+    QUARTERS,
+    cell_span,
+    clear_towards,
+    comes_near,
+    measure_clear,
+    reach_of_cell,
+)
 from tests.kernel_calls import prepare_index
 from tests.property.test_changes import cells_of, made_anew
 
 RADIUS = 0.5
 
 
-def field() -> carom.World:
+def field(detection: Detection = "discrete") -> carom.World:
     """Posts, walls and rings within a frame, in cells as wide as a ball, whatever their number."""
-    world = carom.World(detection="discrete")
+    world = carom.World(detection=detection)
     world.add(carom.Segment((-2, -2), (8, -2)), carom.Segment((-2, 8), (8, 8)))
     for k in range(12):
         x, y = 1.5 * (k % 4), 1.5 * (k // 4)
@@ -59,9 +67,10 @@ def test_what_comes_goes_and_moves_is_where_it_would_be() -> None:
 
 
 def clear_of(world: carom.World) -> NDArray[np.int64]:
-    """How far each cell of the static shapes is from those with members, as it is written there."""
+    """How wide squares without members are from each cell of the static shapes on, as it is written there."""
     entry = world._arrays.index[0]
-    return world._arrays.cells["clear"][: int(entry["columns"]) * int(entry["lines"])].copy()
+    cells = world._arrays.cells[: int(entry["columns"]) * int(entry["lines"])]
+    return np.array([[clear_towards(cell, quarter) for quarter in range(QUARTERS)] for cell in cells])
 
 
 @pytest.mark.parametrize("gone", [0, 4])
@@ -111,6 +120,53 @@ def test_the_cells_are_laid_anew_where_the_outermost_goes_or_comes() -> None:
         world = field()
         change(world)
         assert not patched(world)
+
+
+def test_flights_keep_their_cells_where_the_outermost_goes() -> None:
+    world = field("continuous")
+    measure_clear(world._arrays.index[0], world._arrays.cells)
+    world.remove(world.shapes[0], world.shapes[1])
+    assert patched(world)
+    arrays, entry = world._arrays, world._arrays.index[0]
+    rows, near = arrays.shapes.rows, reach_of_cell(entry)
+    columns = int(entry["columns"])
+    for place in range(columns * int(entry["lines"])):
+        begin, end = cell_span(arrays.cells, place)
+        line, column = divmod(place, columns)
+        expected = [k for k in range(arrays.shapes.count) if comes_near(rows[k], entry, column, line, near)]
+        assert sorted(arrays.members[begin:end].tolist()) == expected
+    world.add(carom.Point((9, 0)))
+    assert not patched(world)
+
+
+def test_flights_have_other_cells_where_most_shapes_have_gone() -> None:
+    world = carom.World(detection="continuous")
+    world.add(*(carom.Point((k, k % 7)) for k in range(400)), carom.Ball((-1, -1), 1e-3))
+    prepare_index(world, 1e-3)
+    world._arrays.states[0]["index_stale"], world._arrays.states[0]["reach"] = 0, 1e-3
+    world.remove(*list(world.shapes)[:100])
+    assert patched(world)
+    world.remove(*list(world.shapes)[:270])
+    assert not patched(world)
+
+
+def test_a_ball_goes_its_way_to_the_bit_in_the_cells_that_are_kept() -> None:
+    world = carom.World(detection="continuous")
+    posts = [carom.Circle((1.0 * k, 1.0 * j), 0.2) for k in range(12) for j in range(12)]
+    far = [carom.Circle((-30, 5), 1), carom.Circle((40, 5), 1), carom.Circle((5, 40), 1), carom.Circle((5, -30), 1)]
+    world.add(*posts, *far, carom.Ball((0.5, 0.5), 0.1, velocity=(1.0, 0.3)))
+    world.run(5.0)
+    for gone in far:
+        other = carom.World(detection="discrete")
+        other.restore(world.snapshot())
+        other.remove(other.object(gone.id))
+        world.remove(gone)
+        left = float(world._arrays.index[0]["left"])
+        hits, same = world.run(5.0), other.run(5.0)
+        assert world._arrays.index[0]["left"] == left
+        assert hits.tobytes() == same.tobytes()
+        assert world.digest() == other.digest()
+    assert len(hits) > 3
 
 
 def test_so_they_are_where_there_is_no_room_for_more_members() -> None:

@@ -7,18 +7,24 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment, World
+from carom.rows.index import CELL
 from carom.world.kernels.broad_phase.shape_index import (
+    CLEAR_MOST,
     FIXED,
     MOVING,
+    QUARTERS,
     Front,
     cell_near,
     cell_side,
     cell_span,
+    clear_towards,
     front_of,
     is_free,
     locate,
     measure_clear,
+    quarter_of,
     rest_of_cell,
+    set_clear,
 )
 from carom.world.kernels.step.narrow import boxes_apart
 from tests.kernel_calls import ball_rows, found_shapes, prepare_index
@@ -53,7 +59,7 @@ def test_short_lists_are_what_a_grid_is_for() -> None:
     assert world._arrays.index[FIXED]["longest"] <= 6
 
 
-def test_each_cell_knows_how_far_it_is_from_those_with_members() -> None:
+def test_each_cell_knows_how_wide_squares_without_members_are_towards_each_quarter() -> None:
     world = World(detection="discrete")
     world.add(Segment((0, 0), (30, 0)), Circle((22, 14), 2.5), Point((3, 19)), *(Point((k, 1)) for k in range(16)))
     prepare_index(world, 0.5)
@@ -63,12 +69,32 @@ def test_each_cell_knows_how_far_it_is_from_those_with_members() -> None:
     measure_clear(entry, cells)
     assert entry["measured"]
     mine = cells[: columns * lines].reshape(lines, columns)
-    y, x = np.nonzero(mine["end"] > mine["begin"])
-    grid_y, grid_x = np.mgrid[:lines, :columns]
-    away = np.maximum(abs(grid_y[..., None] - y), abs(grid_x[..., None] - x)).min(axis=-1)
+    full = mine["end"] > mine["begin"]
     assert min(columns, lines) > 5
-    assert away.max() > 2
-    assert mine["clear"].tolist() == away.tolist()
+    for quarter, (right, up) in enumerate(((1, 1), (-1, 1), (1, -1), (-1, -1))):
+        assert quarter_of(right > 0, up > 0) == quarter
+        # As seen from the lower left always: beyond the edges there is nothing.
+        seen = full[::up, ::right]
+        found = np.array([[clear_towards(cell, quarter) for cell in row] for row in mine])[::up, ::right]
+        widest = 0
+        for line in range(lines):
+            for column in range(columns):
+                y, x = np.nonzero(seen[line:, column:])
+                expected = np.maximum(y, x).min() if len(y) else CLEAR_MOST
+                assert found[line, column] == expected or found[line, column] > columns + lines < expected
+                widest = max(widest, expected % CLEAR_MOST)
+        assert widest > 4
+
+
+@pytest.mark.parametrize("quarter", range(QUARTERS))
+def test_what_is_kept_for_a_quarter_leaves_the_others_alone(quarter: int) -> None:
+    cells = np.zeros(1, CELL)
+    for wide, other in ((CLEAR_MOST, 7), (0, CLEAR_MOST), (5, 0)):
+        for each in range(QUARTERS):
+            set_clear(cells[0], each, wide if each == quarter else other)
+        assert [clear_towards(cells[0], each) for each in range(QUARTERS)] == [
+            wide if each == quarter else other for each in range(QUARTERS)
+        ]
 
 
 def test_static_and_kinematic_shapes_stand_apart() -> None:

@@ -16,6 +16,7 @@ from carom.world.kernels.continuous.predict_shapes import (
     crossings,
     is_entered_past_ends,
     predict_members,
+    predict_on_line,
     predict_on_way,
     predict_shapes,
     time_into_box,
@@ -100,6 +101,49 @@ def test_cell_by_cell_is_found_what_asking_all_finds_to_the_bit(gravity: tuple[f
                 for share in (0.2, 0.7, 0.999):
                     assert on_way(arrays, share * expected[1]) == expected
     assert seen > 5
+
+
+@pytest.mark.parametrize("measured", [0, 1])
+@pytest.mark.parametrize("velocity", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1), (3, 1e-9)])
+def test_straight_ways_along_the_cells_and_across_their_corners_leave_out_nothing(
+    velocity: tuple[float, float], measured: int
+) -> None:
+    arrays = forest(Ball((0, 0), 0.02, velocity=velocity))
+    entry = arrays.index[0]
+    side, left, bottom = float(entry["side"]), float(entry["left"]), float(entry["bottom"])
+    assert entry["measured"]
+    entry["measured"] = measured
+    met = 0
+    for column in range(-2, int(entry["columns"]) + 3, 3):
+        for line in range(-2, int(entry["lines"]) + 3, 3):
+            for share in (0.0, 0.5):
+                arrays.balls.rows[0]["x"] = left + side * (column + share)
+                arrays.balls.rows[0]["y"] = bottom + side * (line + share)
+                expected = of_all(arrays)
+                assert on_way(arrays, 0.0) == expected
+                met += expected[0] == HIT_SHAPE
+    assert met > 100
+
+
+def test_a_way_that_rounding_holds_in_one_place_ends() -> None:
+    arrays = forest(Ball((-1e30, 10.0), 0.2, velocity=(1.0, 0.0)))
+    flight = arrays.flights[0]
+    flight["event"] = NOTHING
+    arrays.index[0]["measured"], arrays.states[0]["binned"] = 0, 1
+    _order, *index = film_tables(arrays)[1:]
+    rows = arrays.balls.rows[0], flight, arrays.shapes.rows, index[0][0], index[1], index[2], arrays.relations
+    predict_on_line(arrays.states[0], *rows, 1e30, False)
+    assert flight["event"] != LOOK
+
+
+def test_a_shape_that_is_met_after_a_slice_is_left_for_a_later_one() -> None:
+    arrays = forest(Ball((1.5, 0.55), 0.2, velocity=(1.0, 0.0)))
+    flight = arrays.flights[0]
+    rows = arrays.balls.rows[0], flight, arrays.shapes.rows, arrays.order, arrays.relations
+    for end, event in ((0.9, NOTHING), (1.1, HIT_SHAPE)):
+        flight["event"] = NOTHING
+        predict_members(arrays.states[0], *rows, 0, arrays.shapes.count, 0.0, end)
+        assert flight["event"] == event
 
 
 @pytest.mark.parametrize("pull", [3.0, -0.7])

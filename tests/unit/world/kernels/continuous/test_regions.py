@@ -5,7 +5,7 @@ from math import inf
 import pytest
 
 from carom import Circle, Point
-from carom.world.kernels.broad_phase.shape_index import locate
+from carom.world.kernels.broad_phase.shape_index import QUARTERS, clear_towards, locate, quarter_of
 from carom.world.kernels.continuous.regions import rebuild_regions
 from tests.kernel_calls import fleet, found_moving, prepare_regions, shape_index
 from tests.worlds import continuous_world
@@ -45,10 +45,12 @@ def test_static_cells_are_measured_for_flights_and_again_where_a_shape_has_come(
     assert entry["measured"]
     x, y = 18.0, 15.0
     cell = locate(entry, arrays.cells, x, y)
-    assert arrays.cells[cell]["clear"] > 1
+    assert min(clear_towards(arrays.cells[cell], quarter) for quarter in range(QUARTERS)) > 1
     world.add(Point((x, y)))
     arrays.prepare()
     prepare_regions(arrays)
     cell = locate(entry, arrays.cells, x, y)
-    assert arrays.cells[cell]["clear"] == 0
-    assert arrays.cells[cell + 1]["clear"] == 1
+    assert all(clear_towards(arrays.cells[cell], quarter) == 0 for quarter in range(QUARTERS))
+    while arrays.cells[cell]["end"] > arrays.cells[cell]["begin"]:
+        cell += 1
+    assert clear_towards(arrays.cells[cell], quarter_of(rightwards=False, upwards=True)) == 1
