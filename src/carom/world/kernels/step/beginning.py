@@ -69,7 +69,7 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
     Where nothing was set of any of them since the last step, those alone can be in it that were.
     """
     count, found = int(state["shapes"]), 0
-    changed = state["moving_stale"] != 0 or state["index_stale"] != 0
+    changed = state["moving_stale"] != 0
     begin, end = (int(state["fixed"]), count) if changed else (count, count + int(state["movers"]))
     for k in range(begin, end):
         shape = shapes[order[k]]
