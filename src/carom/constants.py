@@ -321,6 +321,9 @@ STILL_SHARE = 1e-12
 #: Seconds: the instant of what never was. Far before any world's beginning, and small enough to reckon with.
 NEVER = -1e300
 
+#: Seconds, and lengths and angles and what they grow by in a second: what moves within them stays where numbers reach.
+FARTHEST = 1e100
+
 #: Part of the speed at which a ball meets a shape: at this it leaves one that takes all of its approach and does not
 #: hold it. A few units in the last place.
 LEAST_PART = 1e-15

@@ -29,6 +29,11 @@ TOO_MANY_IMPACTS = 7  # continuous: a ball has reached `max_impacts`; the step e
 STALE = 1
 OTHER_REACH = 2  # the shapes are as they were, the largest ball is not
 
+# Which kinematic shapes were copied when a step began (continuous).
+MOVERS = 0  # those that move
+WHOLE = 1  # all
+UNCHANGED = 2  # none: it changes no row but to show where a shape is
+
 # Where a step is; a kernel that ran out of room goes on from here.
 BEGIN = 0
 MOVE = 1
@@ -121,7 +126,7 @@ class StateRow(TypedDict):
     valid_low: f8
     renewals: i8  # of those regions since the last event
     movers: i8  # kinematic shapes that do not rest, listed in `order` behind all shapes
-    kept_whole: i8  # whether all kinematic shapes were copied when the step began, and not those alone that move
+    kept_whole: i8  # which kinematic shapes were copied when the step began: MOVERS, WHOLE or UNCHANGED
     events: i8  # since the kernel was called
     watched: i8  # one more than the ball whose first impact ends the step; 0 if none's does (continuous)
     queued: i8
