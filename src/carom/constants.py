@@ -137,7 +137,7 @@ GREATEST_SQUARE = 1e300
 #: 2^27 + 1: times it, a double splits into two halves of 26 bits, whose products are exact.
 SPLITTER = 134217729.0
 
-#: Multiple of their points' distance; lines that meet no nearer than this are parallel, for their crossing overflows.
+#: Times their distance: lines that meet no nearer are parallel. A shape that comes no farther is where numbers reach.
 FARTHEST_CROSSING = 1e300
 
 #: Cells at most per ball in the grid that finds pairs of balls (4 bytes each). Fewer, and cells share their numbers
@@ -320,9 +320,6 @@ STILL_SHARE = 1e-12
 
 #: Seconds: the instant of what never was. Far before any world's beginning, and small enough to reckon with.
 NEVER = -1e300
-
-#: Seconds, and lengths and angles and what they grow by in a second: what moves within them stays where numbers reach.
-FARTHEST = 1e100
 
 #: Part of the speed at which a ball meets a shape: at this it leaves one that takes all of its approach and does not
 #: hold it. A few units in the last place.

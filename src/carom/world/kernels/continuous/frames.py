@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from carom.constants import FARTHEST, NEVER
+from carom.constants import NEVER
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
@@ -179,11 +179,12 @@ def keep_tables(
 
 
 def is_none_to_change(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
-    """True if all kinematic shapes move on evenly in the step, and where it may show them, numbers reach them all."""
+    """True if kinematic shapes move, all evenly in the step, and where it may show them, numbers reach them all."""
     horizon, horizon_low = float(state["horizon"]), float(state["horizon_low"])
-    if not is_before(horizon, horizon_low, float(state["change"]), float(state["change_low"])):
+    change, change_low = float(state["change"]), float(state["change_low"])
+    if state["movers"] == 0 or not is_before(horizon, horizon_low, change, change_low):
         return False
-    return not may_be_last(state) or (horizon < FARTHEST and are_tame(state, shapes, order))
+    return not may_be_last(state) or are_tame(state, shapes, order)
 
 
 def may_be_last(state: StateRow) -> bool:

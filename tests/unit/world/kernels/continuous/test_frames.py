@@ -173,7 +173,7 @@ def test_shapes_are_copied_where_a_step_may_change_them_alone() -> None:
     # The hand comes to its stop in the fourth step.
     assert kept == [WHOLE, UNCHANGED, UNCHANGED, MOVERS, UNCHANGED]
     assert hand.orientation == 1.0
-    world.add(Segment((0, 30), (1, 30), motion="kinematic", velocity=(1e101, 0)))
+    world.add(Segment((0, 30), (1, 30), motion="kinematic", velocity=(1e300, 0)))
     for steps, expected in ((1, WHOLE), (1, MOVERS), (3, MOVERS)):
         world.run(steps * 0.25, dt=0.25)
         assert world._arrays.states[0]["kept_whole"] == expected
