@@ -1,4 +1,4 @@
-"""Kinematic shapes: a paddle in each of many rooms, shapes that turn or travel far away, and the pinball table."""
+"""Kinematic shapes: a paddle in each of many rooms, shapes far away, shapes that come and go, and the pinball table."""
 
 from math import sqrt
 from statistics import median
@@ -10,11 +10,15 @@ import carom
 from benchmarks.common import TURN, Figure
 from benchmarks.engines import CONTINUOUS
 
-TITLE = "Kinematic shapes: a paddle in each room, shapes that are far away, and the shipped pinball table"
+TITLE = (
+    "Kinematic shapes: a paddle in each room, shapes far away, shapes that come and go, and the shipped pinball table"
+)
 STEP = 1.0 / 60.0
 SIDE = 3.0  # of a room
 ROOMS = 2048
 FAR = (1, 100, 10_000)
+#: How many shapes of one motion there are where one of another comes and goes.
+MAPS = {"static": 100_000, "turning": 3000}
 ENGINES = {"carom": "discrete", CONTINUOUS: "continuous"}
 #: What kinematic shapes do, as options of a segment.
 MOTIONS = {
@@ -37,6 +41,12 @@ def run(quick: bool) -> list[Figure]:
             for count in FAR[:2] if quick else FAR:
                 each = 1e6 * seconds_a_step(with_far(motion, count, detection), quick)
                 figures.append(Figure(f"{count:,} shapes far away, {motion}", engine, each, "µs a step"))
+        for motion, others in MAPS.items():
+            count = others // 50 if quick else others
+            for come in MAPS:
+                each = 1e6 * seconds_a_change(map_of(motion, count, detection), come, quick)
+                name = f"one {come} comes or goes among {count:,} {motion}"
+                figures.append(Figure(name, engine, each, "µs with a step"))
         figures.append(Figure("pinball, one ball, 8 substeps", engine, 1e6 * of_pinball(detection, quick), "µs a step"))
     return figures
 
@@ -51,6 +61,29 @@ def seconds_a_step(world: carom.World, quick: bool) -> float:
             world.step(STEP)
         times.append((process_time() - began) / TURN)
     return median(times)
+
+
+def seconds_a_change(world: carom.World, motion: str, quick: bool) -> float:
+    """The processor's seconds in which a shape comes into a map, or goes, and a step is made, the median of some."""
+    times = []
+    for _ in range(4 if quick else 30):
+        came = paddle(100.0, 100.4, motion)
+        for change in (world.add, world.remove):
+            began = process_time()
+            change(came)
+            world.step(STEP)
+            times.append(process_time() - began)
+    return median(times)
+
+
+def map_of(motion: str, count: int, detection: str) -> carom.World:
+    """A square full of shapes, and a ball that rests."""
+    world = carom.World(detection=detection, gravity=(0.0, 0.0))
+    across = round(sqrt(count))
+    world.add(*(paddle(3.0 * (k % across), 3.0 * (k // across), motion) for k in range(count)))
+    world.add(carom.Ball((1.5, 1.5), 0.1))
+    world.step(STEP)
+    return world
 
 
 def of_pinball(detection: str, quick: bool) -> float:

@@ -133,7 +133,7 @@ GREATEST_SQUARE = 1e300
 #: 2^27 + 1: times it, a double splits into two halves of 26 bits, whose products are exact.
 SPLITTER = 134217729.0
 
-#: Multiple of their points' distance; lines that meet no nearer than this are parallel, for their crossing overflows.
+#: Times their distance: lines that meet no nearer are parallel. A shape that comes no farther is where numbers reach.
 FARTHEST_CROSSING = 1e300
 
 #: Cells at most per ball in the grid that finds pairs of balls (4 bytes each). Fewer, and cells share their numbers

@@ -19,6 +19,7 @@ from tests.worlds import bits
 SIDE = 12.0
 SPOTS = st.tuples(st.floats(1, SIDE - 2, width=32), st.floats(1, SIDE - 2, width=32))
 DOINGS = ("add", "add ball", "remove", "switch", "move", "turn", "raise", "look", "read", "group")
+DOINGS += ("add kinematic", "still", "spin")
 
 
 def room(detection: Any, broad_phase: Any) -> carom.World:
@@ -41,6 +42,9 @@ def do(world: carom.World, what: str, place: tuple[float, float], which: int) ->
         world.add(*outlines.rectangle(x, y, x + 1, y + 0.5, name="brick")[: 1 + which % 8])
     elif what == "group":
         world.add(carom.Group(outlines.rectangle(x, y, x + 1, y + 0.5), once=True))
+    elif what == "add kinematic":
+        ways: Any = {"motion": "kinematic", "angular_velocity": which % 3, "velocity": (which % 2, 0)}
+        world.add(carom.Segment(place, (x + 0.7, y), **ways), *[carom.Arc(place, 0.4, 0, 2, **ways)] * (which % 2))
     elif what == "add ball":
         world.add_balls([place], radius=0.1 + 0.05 * (which % 4), velocity=(1, 0))
     elif what == "look":
@@ -59,6 +63,12 @@ def do(world: carom.World, what: str, place: tuple[float, float], which: int) ->
         shape.set_angles(0.1 * which, 2.0)
     elif what == "raise":
         shape.elasticity = 0.5
+    elif what == "spin" and isinstance(shape, carom.Segment | carom.Circle) and shape.group is None:
+        shape.motion = "kinematic"
+        shape.angular_velocity = 2.0
+    elif what == "still" and isinstance(shape, carom.Segment | carom.Circle) and shape.motion:
+        shape.angular_velocity, shape.velocity = 0.0, (0.0, 0.0)
+        shape.motion = "static"
 
 
 def cells_of(arrays: Arrays) -> tuple[Any, list[tuple[int, list[int]]]]:

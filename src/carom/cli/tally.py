@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.record.members import BALLS, label_of, parts, touches_by_label
+from carom.record.members import BALLS, parts, touches_by_label
 from carom.rows.tables import Row
+from carom.shapes.label import label_of
 from carom.world.counts import Counter
 from carom.world.hits import HitKind
 

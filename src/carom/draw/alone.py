@@ -14,7 +14,7 @@ from carom.draw.parts.moment import Balls, Drawn, Measures, Moment
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import box_around, composed, drawn_of
 from carom.draw.theme import BALL_INKS
-from carom.record.members import name_of, parts
+from carom.record.members import parts
 from carom.rows.hit import BOUNCE, HIT
 from carom.shapes.aabb import Aabb
 from carom.shapes.arc import Arc
@@ -23,6 +23,7 @@ from carom.shapes.circle import Circle
 from carom.shapes.compound import Compound
 from carom.shapes.detection import Contact
 from carom.shapes.group import Group
+from carom.shapes.label import name_of
 from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 

@@ -7,26 +7,19 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from carom.errors import LostObject
-from carom.record.hits import RecordedHits
-from carom.record.members import label_of
 from carom.rows.hit import HIT
 from carom.shapes.shape import Shape
 from carom.world.hits import HitKind
-from carom.world.plural import OfHits, Plural
+from carom.world.plural import MemberRows
 from carom.world.views import Balls, Shapes
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from carom.pictured import Tabled
-    from carom.world.world import World
 
     #: The words of a row, cell by cell.
     Row: TypeAlias = list[str]
-
-#: Rows that name shapes and balls by their ids.
-RowsOfMembers: TypeAlias = Plural[Any] | RecordedHits
 
 #: How many rows are shown at most: so many of the first, and so many of the last ones.
 FIRST, LAST = 10, 5
@@ -38,9 +31,8 @@ SHAPE_COLUMNS = ("id", "kind", "name", "position", "motion", "elasticity", "kick
 
 def table_of(shown: Tabled) -> str | None:
     """What a notebook shows of hits, answers, balls or shapes, as HTML; None for an array that has no such rows."""
-    if isinstance(shown, Plural | RecordedHits):
-        own = HIT if isinstance(shown, RecordedHits) else shown.DTYPE
-        return table_of_rows(shown) if shown.dtype == own and shown.ndim == 1 else None
+    if isinstance(shown, MemberRows):
+        return table_of_rows(shown) if shown.dtype == shown.DTYPE and shown.ndim == 1 else None
     if isinstance(shown, Balls):
         rows = [ball_row(shown, place) for place in shown_places(len(shown))]
         return html(counted(len(shown), "balls"), BALL_COLUMNS, rows, len(shown))
@@ -70,42 +62,22 @@ def counted(count: int, what: str) -> str:
     return f"{count:,} {what}" if count != 1 else f"1 {what.removesuffix('s')}"
 
 
-def table_of_rows(shown: RowsOfMembers) -> str:
+def table_of_rows(shown: MemberRows) -> str:
     """The table of hits, touches, counts, or answers to queries."""
     columns = shown.dtype.names or ()
     rows = shown.view(np.ndarray)
     cells = [[cell(shown, column, rows[place][column]) for column in columns] for place in shown_places(len(rows))]
-    return html(
-        counted(len(rows), "hits" if isinstance(shown, RecordedHits) else type(shown).__name__.lower()),
-        columns,
-        cells,
-        len(rows),
-    )
+    what = "hits" if shown.DTYPE == HIT else type(shown).__name__.lower()
+    return html(counted(len(rows), what), columns, cells, len(rows))
 
 
-def cell(shown: RowsOfMembers, column: str, value: Any) -> str:
+def cell(shown: MemberRows, column: str, value: Any) -> str:
     """The words for one field of a row: names for ids, and few digits for numbers."""
     if column in MEMBERS:
-        return member(shown, int(value))
+        return shown._label(int(value)) if value else ""
     if column == "kind":
         return HitKind(int(value)).name.lower()
     return words(value)
-
-
-def member(shown: RowsOfMembers, key: int) -> str:
-    """What a shape or ball is called that a row names by its id; the id where it is not known any more."""
-    if key == 0:
-        return ""
-    if isinstance(shown, RecordedHits):
-        return shown.label_of(key)
-    try:
-        world: World = shown._world
-        found = world._object_of_hit(key, shown._gone if isinstance(shown, OfHits) else None)
-    except LostObject:
-        found = None
-    if found is None:
-        return f"{key}"
-    return label_of(found) if isinstance(found, Shape) else found.name or f"ball {key}"
 
 
 def words(value: Any) -> str:
@@ -117,12 +89,9 @@ def words(value: Any) -> str:
 
 def ball_row(balls: Balls, place: int) -> Row:
     """The words of one ball's row."""
-    key = int(balls.id[place])
-    known = balls._world._objects.get(key)
-    columns = balls._world._arrays.balls.used
-    numbers = (balls.position[place], balls.velocity[place], columns["radius"][place], columns["mass"][place])
-    asleep = "asleep" if columns["asleep"][place] else ""
-    return [f"{key}", (known.name if known is not None else None) or "", *map(words, numbers), asleep]
+    ball, name = balls._glance(place)
+    numbers = ((ball["x"], ball["y"]), (ball["vx"], ball["vy"]), ball["radius"], ball["mass"])
+    return [f"{ball['id']}", name or "", *map(words, numbers), "asleep" if ball["asleep"] else ""]
 
 
 def shape_row(shapes: Shapes, place: int) -> Row:

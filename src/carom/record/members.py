@@ -12,6 +12,7 @@ from carom.scene.guarding import guarded
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.group import Group
+from carom.shapes.label import name_of
 from carom.world.touches import touches_of
 
 if TYPE_CHECKING:
@@ -45,25 +46,12 @@ def put(shape: Shape, x: float, y: float, orientation: float) -> None:
     pose(row)
 
 
-def name_of(shape: Shape) -> str | None:
-    """The name of `shape`, or that of the compound or group that it is a part of, or None."""
-    if shape.name is None and shape._whole is not None:
-        return shape._whole.name
-    return shape.name
-
-
 def names_in(world: World) -> dict[int, str]:
     """The names of the shapes and balls that have one, by id; an empty one is none."""
     named = [(shape.id, name_of(shape)) for shape in parts(world.shapes)]
     # Balls whose objects nobody has asked for have no names.
     named += [(key, member.name) for key, member in sorted(world._objects.items()) if isinstance(member, Ball)]
     return {member: name for member, name in named if member is not None and name}
-
-
-def label_of(shape: Shape) -> str:
-    """What to call `shape` in a list: its name, or what and where it is."""
-    x, y = shape.position
-    return name_of(shape) or f"{shape.kind} at ({x:.4g}, {y:.4g})"
 
 
 def touches_by_label(recording: Recording, hits: Rows) -> list[tuple[str, int]]:

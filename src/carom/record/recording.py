@@ -13,7 +13,8 @@ from carom.pictured import Played
 from carom.record.check import check_recording
 from carom.record.files import read_recording, write_recording
 from carom.record.hits import RecordedHits
-from carom.record.members import label_of, put, shapes_of
+from carom.record.members import put, shapes_of
+from carom.shapes.label import label_of
 from carom.spelling import spelled
 
 if TYPE_CHECKING:

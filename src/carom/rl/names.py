@@ -7,7 +7,8 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.record.members import name_of, parts
+from carom.record.members import parts
+from carom.shapes.label import name_of
 from carom.world.world import World
 
 

@@ -29,8 +29,10 @@ TOO_MANY_IMPACTS = 7  # continuous: a ball has reached `max_impacts`; the step e
 STALE = 1
 OTHER_REACH = 2  # the shapes are as they were, the largest ball is not
 
-#: In place of STALE, of the index of the kinematic shapes: it is right, but who moves is to be listed anew.
-UNLISTED = 2
+# Which kinematic shapes were copied when a step began (continuous).
+MOVERS = 0  # those that move
+WHOLE = 1  # all
+UNCHANGED = 2  # none: it changes no row but to show where a shape is
 
 # Where a step is; a kernel that ran out of room goes on from here.
 BEGIN = 0
@@ -99,7 +101,7 @@ class StateRow(TypedDict):
     free_relation: i4  # first of the released rows below `relations_high`, or NO_RELATION
     wake: i4  # something was changed from outside
     index_stale: i8  # whether the index of all shapes is to be made anew: 0, STALE or OTHER_REACH
-    moving_stale: i8  # the same of that of the kinematic shapes: 0, STALE or UNLISTED
+    moving_stale: i8  # the same of that of the kinematic shapes: 0 or STALE
     taken: i8  # static shapes that are to be taken out of the index, and
     put: i8  # those that are to be put in: `order` names them behind all others, see `patch_index`
     reach: f8  # the largest radius that the index is to serve
@@ -124,7 +126,7 @@ class StateRow(TypedDict):
     valid_low: f8
     renewals: i8  # of those regions since the last event
     movers: i8  # kinematic shapes that do not rest, listed in `order` behind all shapes
-    kept_whole: i8  # whether all kinematic shapes were copied when the step began, and not those alone that move
+    kept_whole: i8  # which kinematic shapes were copied when the step began: MOVERS, WHOLE or UNCHANGED
     events: i8  # since the kernel was called
     watched: i8  # one more than the ball whose first impact ends the step; 0 if none's does (continuous)
     queued: i8

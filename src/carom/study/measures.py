@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.record.members import BALLS, label_of, parts
+from carom.record.members import BALLS, parts
+from carom.shapes.label import label_of
 from carom.spelling import hint
 from carom.world.hits import HitKind
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.extras import needed
-from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
+from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT, HIT_ROW
 from carom.rows.tables import Rows
 from carom.typing import Vector
 from carom.world.boundary import Boundary, boundary_of
@@ -75,7 +75,7 @@ class Hit:
 KINDS = tuple(HitKind)
 
 #: The numbers of a row of hits: to unpack them takes less time than to have NumPy make objects of its fields.
-NUMBERS = Struct("=dqqq11d")
+NUMBERS = Struct("=" + "".join({"i": "q", "f": "d"}[HIT_ROW[field].kind] for field in HIT_ROW.names or ()))
 
 #: What puts each attribute into a hit, past the refusal to change one, in far less time than its constructor does.
 PUTS = tuple(vars(Hit)[field.name].__set__ for field in fields(Hit))

@@ -17,7 +17,7 @@ from carom.compiler.kernels import Kernel
 from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import BALL_KIND, KINEMATIC, STATIC, ShapeRow
+from carom.rows.shape import BALL_KIND, KINEMATIC, ShapeRow
 from carom.rows.state import STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
@@ -290,11 +290,12 @@ class Members:
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
         """Detach the objects of rows and take the rows out."""
         for table, gone in ((self._arrays.balls, balls), (self._arrays.shape_table, shapes)):
-            for member_id in table.used["id"][gone]:
-                member = self._objects.pop(int(member_id), None)
+            for index in np.flatnonzero(gone).tolist():
+                member_id = table.id_at(index)
+                member = self._objects.pop(member_id, None)
                 if member is not None:
                     member._leave()
-                    self._departed.add(int(member_id), member)
+                    self._departed.add(member_id, member)
         remove_rows(self._arrays, balls, shapes)
         self._rearrange()
 
@@ -351,10 +352,10 @@ class Members:
         if row["motion"] == before["motion"] == KINEMATIC:
             self._words[MOVING_STALE] = STALE
             return
-        if row["motion"] == before["motion"] == STATIC:
+        if row["motion"] == before["motion"]:
             layout.note_moved(shape._table.index(shape), before)
         else:
-            layout.forget()
+            layout.note_other_motion(shape._table.index(shape), before, int(row["motion"]))
         self._rearrange()
 
     def _changed_all(self) -> None:

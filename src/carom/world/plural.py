@@ -1,8 +1,12 @@
-"""`Plural`: a structured array whose items are objects; what hits and the answers to many queries have in common."""
+"""Structured arrays that name shapes and balls by ids.
+
+What hits, of a world or of a recording, and the answers to many queries have in common.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from copy import deepcopy
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeVar, overload
 
@@ -12,6 +16,7 @@ from numpy.typing import NDArray
 from carom.errors import LostObject
 from carom.pictured import Tabled
 from carom.rows.tables import Rows, Table
+from carom.shapes.label import label_of
 from carom.typing import Vector
 from carom.world.link import Link
 
@@ -21,14 +26,30 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class Plural(np.ndarray[Any, np.dtype[Any]], Tabled, Generic[T]):
-    """Rows of dtype `DTYPE` whose items are objects: a single index and iteration give those.
-
-    It is false where it has no rows. Columns, and whatever NumPy computes of rows, are plain arrays. Copied or pickled
-    together with its world it speaks of the new world; pickled alone it is an array, whose items raise `LostObject`.
-    """
+class MemberRows(np.ndarray[Any, np.dtype[Any]], Tabled):
+    """Rows of dtype `DTYPE`, and what those are called whose ids stand in them. Columns are plain arrays."""
 
     DTYPE: ClassVar[np.dtype[Any]]
+
+    def _are_rows(self) -> bool:
+        """Whether these are rows still, and not what a view or `astype` made of them."""
+        return self.dtype == self.DTYPE
+
+    def __getitem__(self, key: Any) -> Any:
+        item = super().__getitem__(key)
+        return item if isinstance(item, np.void) or getattr(item, "dtype", None) == self.DTYPE else np.asarray(item)
+
+    def _label(self, member_id: int) -> str:
+        """What to call the shape or ball with an id; the id where it is not known any more."""
+        raise NotImplementedError
+
+
+class Plural(MemberRows, Generic[T]):
+    """Rows whose items are objects: a single index and iteration give those.
+
+    It is false where it has no rows. Whatever NumPy computes of rows is a plain array. Copied or pickled together with
+    its world it speaks of the new world; pickled alone it is an array, whose items raise `LostObject`.
+    """
 
     _link: Link | None = None
 
@@ -75,10 +96,6 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Tabled, Generic[T]):
         """A result of NumPy's, no longer rows: `hits == hits` is an array of booleans."""
         return array[()] if return_scalar else array
 
-    def _are_rows(self) -> bool:
-        """Whether these are rows still, and not what a view or `astype` made of them."""
-        return self.dtype == self.DTYPE
-
     def __bool__(self) -> bool:
         return self.size > 0 if self._are_rows() else super().__bool__()
 
@@ -96,9 +113,7 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Tabled, Generic[T]):
     ) -> Self: ...
     def __getitem__(self, key: Any) -> Any:
         item = super().__getitem__(key)
-        if isinstance(item, np.void):
-            return self._item(item)
-        return item if getattr(item, "dtype", None) == self.DTYPE else np.asarray(item)
+        return self._item(item) if isinstance(item, np.void) else item
 
     def _item(self, row: Any) -> T:
         """The object for a row."""
@@ -107,6 +122,16 @@ class Plural(np.ndarray[Any, np.dtype[Any]], Tabled, Generic[T]):
     def _object(self, world: World, row: Any) -> T:
         """The object for a row of a world's; None for one that says that nothing was found."""
         raise NotImplementedError
+
+    def _member(self, world: World, member_id: int) -> Any:
+        """The shape or ball with an id; None where there is none."""
+        return world._object_of_hit(member_id, None)
+
+    def _label(self, member_id: int) -> str:
+        found = None
+        with suppress(LostObject):
+            found = self._member(self._world, member_id)
+        return f"{member_id}" if found is None else label_of(found)
 
 
 class OfHits(Plural[T]):

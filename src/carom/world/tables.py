@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from math import prod
 from typing import TYPE_CHECKING, Any
@@ -18,8 +19,8 @@ from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.island import BODY, ISLAND_CONTACT
 from carom.rows.relation import INSIDE_BALL, LYING, RELATION
 from carom.rows.saved import SAVED
-from carom.rows.shape import BALL_KIND, SHAPE, STATIC, ShapeRow
-from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, UNLISTED, StateRow
+from carom.rows.shape import BALL_KIND, SHAPE, ShapeRow
+from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
 from carom.world.layout import MOST_CHANGES, Layout
@@ -70,9 +71,9 @@ class WorldTable(RowTable[R]):
 
     def find(self, member_id: int | None) -> int:
         """The index of the row with an id; raises `InvalidArgument` where there is none."""
-        ids = self.used["id"]
-        index = int(np.searchsorted(ids, member_id or 0))
-        if index == self.count or ids[index] != member_id:
+        # By words: NumPy would first copy a column out of all rows.
+        index = bisect_left(range(self.count), member_id or 0, key=self.id_at)
+        if index == self.count or self.id_at(index) != member_id:
             raise InvalidArgument(f"id must be that of a shape or ball in the world, not {member_id!r}")
         return index
 
@@ -195,9 +196,8 @@ class Arrays:
         behind = self.layout.lay(self.shape_table.used, state)
         self.shape_table.reserve(self.shape_table.count + behind)
         self.layout.tell(self.shape_table.rows)
-        if state["moving_stale"] == 0:
-            state["moving_stale"] = UNLISTED
-        self._list_movers()
+        if self.layout.has_other_movers:
+            self._list_movers()
         if len(self.saved) < self.balls.count:
             self.saved = grown(self.saved, len(self.balls.rows), len(self.saved))
             # Each ball as it is sorted and as it was before, and two more that may be looked at behind the sorted.
@@ -231,22 +231,16 @@ class Arrays:
 
     def note_come(self, first: int) -> None:
         """Take note of the shapes that have come in, from a row of their table on."""
-        come = self.shape_table.used[first:]
-        if len(come) and (come["motion"] == STATIC).all():
-            self.layout.note_come(range(first, self.shape_table.count))
-        elif len(come):
-            self.layout.forget()
+        motions = self.shape_table.used["motion"][first:]
+        self.layout.note_come(range(first, self.shape_table.count), motions.tolist())
 
     def bury(self, rows: NDArray[np.intp]) -> None:
         """Let the shapes in some rows be gone: no relation is to them."""
         used = self.shape_table.used
-        still = self.layout.is_known and bool((used["motion"][rows] == STATIC).all())
         for row in rows:
             # Until its row is taken out it meets nothing.
             used[row]["can_collide"] = used[row]["once"] = 0
-        self.layout.note_gone(rows.tolist())
-        if not still:
-            self.layout.forget()
+        self.layout.note_gone(rows.tolist(), used["motion"][rows].tolist())
 
     def settle(self) -> None:
         """Take rows of shapes that are gone out of the table; what names rows names the new ones."""
@@ -260,7 +254,7 @@ class Arrays:
         of_shapes = ~np.isin(pool["kind"], OF_BALLS)
         pool["other"][of_shapes] = np.take(new, pool["other"][of_shapes], mode="clip")
         self.shape_table.drop(gone)
-        known = self.layout.renumber(new)
+        known = self.layout.renumber(new, int(state["movers"]))
         if known and state["taken"] + state["put"] == 0:
             end = int(self.index["members_end"].max())
             self.members[:end] = np.take(new, self.members[:end], mode="clip")
@@ -270,8 +264,6 @@ class Arrays:
         state["shapes"], state["dropped"] = self.shape_table.count, 0
         state["fixed"] = self.shape_table.count - len(self.layout.moving)
         state["foreseen"] = 0
-        if known:
-            self._list_movers()
 
     def extend(self, status: int) -> None:
         """Make the room that a kernel asked for when it came back with `status`."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.checks import refuse
 from carom.pictured import Tabled
-from carom.rows.ball import BALL
+from carom.rows.ball import BALL, BallRow
 from carom.rows.state import DISCRETE
 from carom.shapes.assembly import Assembly
 from carom.shapes.compound import Compound
@@ -53,6 +53,12 @@ class Balls(Sequence["Ball"], Tabled):
         if type(index) is int and -count <= index < count:
             return world._ball_of(table.id_at(index if index >= 0 else index + count))
         return world._ball_of(int(self.id[index]))
+
+    def _glance(self, place: int) -> tuple[BallRow, str | None]:
+        """The row of a ball, and its name; no object is made for it."""
+        row: BallRow = self._world._arrays.balls.used[place]
+        known = self._world._objects.get(int(row["id"]))
+        return row, None if known is None else known.name
 
     def __iter__(self) -> Iterator[Ball]:
         for ball in self.id.copy():

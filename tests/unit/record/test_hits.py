@@ -23,9 +23,9 @@ def test_columns_are_plain_and_slices_are_hits() -> None:
 def test_ids_have_names_while_the_recording_is_there() -> None:
     run = furnished_run()
     shape = int(run.hits["shape"][0])
-    assert run.hits[:5].label_of(shape) == run.label_of(shape)
-    assert RecordedHits.of(run, np.zeros(1, HIT)).label_of(shape) == run.label_of(shape)
-    assert np.zeros(1, HIT).view(RecordedHits).label_of(7) == "7"
+    assert run.hits[:5]._label(shape) == run.label_of(shape)
+    assert RecordedHits.of(run, np.zeros(1, HIT))._label(shape) == run.label_of(shape)
+    assert np.zeros(1, HIT).view(RecordedHits)._label(7) == "7"
 
 
 def test_hits_pickled_alone_are_the_same_rows() -> None:

@@ -1,7 +1,7 @@
 """Everything that was hit has something to call it, and is counted by that."""
 
 import carom
-from carom.record.members import BALLS, hits_by_label, label_of, name_of, touches_by_label
+from carom.record.members import BALLS, hits_by_label, touches_by_label
 from carom.world.touches import touches_of
 from tests.worlds import crowded, named
 
@@ -42,10 +42,3 @@ def test_hits_are_counted_by_what_was_hit_whenever_it_came() -> None:
     assert set(touched) == set(counts)
     assert sum(touched.values()) == len(touches_of(run.hits))
     assert all(touched[label] <= counts[label] for label in counts)
-
-
-def test_a_part_has_the_name_of_its_compound_unless_it_has_its_own() -> None:
-    own, unnamed = carom.Point((0, 0), name="tip"), carom.Point((3, 1))
-    carom.Compound([own, unnamed], pivot=(0, 0), name="flipper")
-    assert (name_of(own), name_of(unnamed)) == ("tip", "flipper")
-    assert label_of(carom.Segment((0, 0), (3, 1))) == "segment at (1.5, 0.5)"

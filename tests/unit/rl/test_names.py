@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from carom.record.members import name_of, parts
+from carom.record.members import parts
 from carom.rl.names import Names, meant
+from carom.shapes.label import name_of
 from tests.rl_tasks import yard
 
 

@@ -5,11 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from carom.record.members import name_of, parts
+from carom.record.members import parts
 from carom.rl import End, Points, Reward, Task
 from carom.rl.names import Names
 from carom.rl.scoring import Score
 from carom.rows.hit import BOUNCE, ENTER, EXIT
+from carom.shapes.label import name_of
 from tests.rl_tasks import yard_task
 from tests.slow_worlds import HIT_IN_COPY, SlowWorlds
 

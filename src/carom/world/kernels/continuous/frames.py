@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import NEVER
-from carom.geometry.instants import later
+from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
@@ -19,6 +19,7 @@ from carom.rows.state import (
     FORESEE,
     HAS_STRAYS,
     MOVE,
+    MOVERS,
     NEEDS_PAIRS,
     NEEDS_ROOM,
     NOT_FINITE,
@@ -28,6 +29,8 @@ from carom.rows.state import (
     STALE,
     TAKE_UP,
     TOO_MANY_IMPACTS,
+    UNCHANGED,
+    WHOLE,
     StateRow,
 )
 from carom.rows.tables import Table
@@ -37,6 +40,7 @@ from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import (
+    are_tame,
     begin_motions,
     foresee_changes,
     list_movers,
@@ -157,11 +161,13 @@ def keep_tables(
 ) -> None:
     """Keep all that a step may change but for the balls: state, relations, and the kinematic shapes that move.
 
-    Or all kinematic ones where `whole`, because something was changed from outside, which may move any of them.
+    Or all kinematic ones where `whole`, because something was changed from outside, which may move any of them; and
+    none in a step in which none stops or arrives, which can be shown again as they were.
     """
     state = states[0]
-    unlist_resting(state, shapes, order)
-    state["kept_whole"] = 1 if whole else 0
+    state["kept_whole"] = WHOLE if whole else UNCHANGED if is_none_to_change(state, shapes, order) else MOVERS
+    if state["kept_whole"] != UNCHANGED:
+        unlist_resting(state, shapes, order)
     count = int(state["shapes"])
     begin, end = kept_shapes(state)
     for k in range(begin, end):
@@ -172,12 +178,33 @@ def keep_tables(
     states[1] = states[0]
 
 
+def is_none_to_change(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
+    """True if kinematic shapes move, all evenly in the step, and where it may show them, numbers reach them all."""
+    horizon, horizon_low = float(state["horizon"]), float(state["horizon_low"])
+    change, change_low = float(state["change"]), float(state["change_low"])
+    if state["movers"] == 0 or not is_before(horizon, horizon_low, change, change_low):
+        return False
+    return not may_be_last(state) or are_tame(state, shapes, order)
+
+
+def may_be_last(state: StateRow) -> bool:
+    """True if a step that begins may be the last one of its call, which shows where everything is."""
+    stops = state["stop_hits"] > 0 or state["max_impacts"] > 0
+    return bool(state["steps_left"] == 1 or state["bounded"] != 0 or stops)
+
+
 def kept_shapes(state: StateRow) -> tuple[int, int]:
     """Where those kinematic shapes begin and end in `order` that were copied when the step began."""
     count = int(state["shapes"])
-    if state["kept_whole"] != 0:
+    if state["kept_whole"] == WHOLE:
         return int(state["fixed"]), count
-    return count, count + int(state["movers"])
+    return count, count + (int(state["movers"]) if state["kept_whole"] == MOVERS else 0)
+
+
+def shown_shapes(state: StateRow) -> tuple[int, int]:
+    """The same of those that may not be sound when they are shown."""
+    count = int(state["shapes"])
+    return kept_shapes(state) if state["kept_whole"] == WHOLE else (count, count + int(state["movers"]))
 
 
 def note_passed(
@@ -307,8 +334,9 @@ def finish_frame(
         show(state, balls, shapes, relations, flights)
         show_movers(state, shapes, order)
         state["running"] = 0
-    begin, end = kept_shapes(state)
-    if not shapes_are_sound(shapes, order, begin, end):
+    begin, end = shown_shapes(state)
+    # Others stand as their motion began.
+    if (last or state["kept_whole"] != UNCHANGED) and not shapes_are_sound(shapes, order, begin, end):
         undo(states, balls, shapes, order, saved, relations, flights)
         return NOT_FINITE
     if state["bounded"] != 0:
@@ -395,11 +423,15 @@ def undo(
     states[0] = states[1]
     state = states[0]
     count = int(state["shapes"])
-    begin, end = kept_shapes(state)
+    begin, end = shown_shapes(state)
     for k in range(begin, end):
-        sound = is_in_reach(shapes[order[k]])
-        shapes[order[k]] = shapes[count + k - begin]
-        shapes[count + k - begin]["once"] = 0 if sound else 1
+        row, copy = int(order[k]), count + k - begin
+        sound = is_in_reach(shapes[row])
+        if state["kept_whole"] == UNCHANGED:
+            shapes[copy] = shapes[row]
+        else:
+            shapes[row] = shapes[copy]
+        shapes[copy]["once"] = 0 if sound else 1
     for k in range(count + end - begin, 2 * count - state["fixed"]):
         shapes[k]["once"] = 0
     list_movers(state, shapes, order)
@@ -412,6 +444,7 @@ def undo(
         show_as_seen(state, balls, flights)
     else:
         show(state, balls, shapes, relations, flights)
+    if state["running"] != 0 or state["kept_whole"] == UNCHANGED:
         show_movers(state, shapes, order)
     state["running"] = 0
     state["foreseen"] = 0

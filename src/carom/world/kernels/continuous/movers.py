@@ -5,9 +5,9 @@ While a step is made their rows stand as at that instant; between two steps they
 
 from __future__ import annotations
 
-from math import inf
+from math import fabs, inf
 
-from carom.constants import LEAST_SQUARE, STOP_MARGIN
+from carom.constants import FARTHEST_CROSSING, LEAST_SQUARE, STOP_MARGIN
 from carom.geometry.instants import is_before, later
 from carom.rows.pose import acting_spin, advance_pose, is_moving, pose, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
@@ -58,6 +58,21 @@ def unlist_resting(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) 
             order[count + found] = order[k]
             found += 1
     state["movers"] = found
+
+
+def are_tame(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> bool:
+    """True if no kinematic shape is so far out, or so fast, that numbers may not reach it when the step ends."""
+    tame, horizon = True, float(state["horizon"])
+    for k in range(state["shapes"], state["shapes"] + state["movers"]):
+        shape = shapes[order[k]]
+        out = fabs(float(shape["pivot_before_x"])) + fabs(float(shape["pivot_before_y"]))
+        size = fabs(float(shape["left"])) + fabs(float(shape["bottom"]))
+        size += fabs(float(shape["right"])) + fabs(float(shape["top"]))
+        fast = fabs(float(shape["velocity_x"])) + fabs(float(shape["velocity_y"])) + fabs(float(shape["spin"]))
+        # No motion has begun before time 0.
+        far = out + size + fabs(float(shape["orientation_before"])) + fast * horizon
+        tame = tame and far < FARTHEST_CROSSING
+    return tame
 
 
 def time_to_stop(shape: ShapeRow) -> float:

@@ -74,7 +74,7 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int], e
     """
     count, found, busy = int(state["shapes"]), 0, 0
     few, duration, substeps = state["balls"] <= FEW_TO_ASK, substep_length(state), int(state["substeps"])
-    changed = state["moving_stale"] != 0 or state["index_stale"] != 0
+    changed = state["moving_stale"] != 0
     begin, end = (int(state["fixed"]), count) if changed else (count, count + int(state["movers"]))
     for k in range(begin, end):
         row = order[k]

@@ -7,6 +7,7 @@ import pytest
 
 from carom import Ball, Circle, NonFiniteState, Segment, World
 from carom.rows.flight import COURSE, NO_TICK
+from carom.rows.state import MOVERS, UNCHANGED, WHOLE
 from tests.worlds import box, continuous_world
 
 
@@ -160,6 +161,22 @@ def test_a_mover_that_overflows_is_undone_too() -> None:
         world.step(5.0)
     assert picture(world) == before
     assert world.digest() == digest
+
+
+def test_shapes_are_copied_where_a_step_may_change_them_alone() -> None:
+    world = room()
+    hand = world.add(Segment((0, 20), (1, 20), motion="kinematic", angular_velocity=1.0, turn_limits=(0.0, 1.0)))
+    kept = []
+    for seconds in (0.25, 0.25, 0.25, 0.5, 0.25):
+        world.step(seconds)
+        kept.append(int(world._arrays.states[0]["kept_whole"]))
+    # The hand comes to its stop in the fourth step.
+    assert kept == [WHOLE, UNCHANGED, UNCHANGED, MOVERS, UNCHANGED]
+    assert hand.orientation == 1.0
+    world.add(Segment((0, 30), (1, 30), motion="kinematic", velocity=(1e300, 0)))
+    for steps, expected in ((1, WHOLE), (1, MOVERS), (3, MOVERS)):
+        world.run(steps * 0.25, dt=0.25)
+        assert world._arrays.states[0]["kept_whole"] == expected
 
 
 def test_what_was_seen_when_a_sensor_was_switched_off_is_left_now() -> None:

@@ -176,6 +176,6 @@ def test_a_world_that_looks_at_its_tables_anew_knows_what_moves() -> None:
     world = clock()
     for seconds, moving in ((0.125, [0, 1, 2, 3, 4]), (1.75, [0, 2, 4]), (2.0, [0, 4]), (2.0, [0])):
         world.step(seconds)
-        world._forget_block()
+        world._changed_all()
         world._arrays.prepare()
         assert world._arrays.order[5 : 5 + world._arrays.states[0]["movers"]].tolist() == moving
