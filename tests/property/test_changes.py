@@ -112,7 +112,8 @@ def test_changes_leave_what_a_world_made_at_once_has(detection: Any, data: st.Da
         if len(twin.balls):
             assert bits(twin.step(0.05)) == bits(hits)
             assert twin.digest() == world.digest()
-        if world._arrays.states[0]["broad_phase"] == GRID:
+        # Flights keep their cells where the outermost shape goes; what they find is the same.
+        if world._arrays.states[0]["broad_phase"] == GRID and detection == "discrete":
             assert cells_of(world._arrays) == made_anew(world._arrays)
     later = carom.World(detection="discrete")
     later.restore(world.snapshot())

@@ -63,7 +63,7 @@ def test_a_ball_pressed_against_the_closed_side_stays_there() -> None:
 
 def test_a_ball_placed_on_a_gate_goes_by_the_side_of_its_centre() -> None:
     for y, hits, end in ((0.4, 1, 1.0), (-0.4, 0, -0.5)):
-        world = World(substeps=1)
+        world = World(detection="discrete", substeps=1)
         world.add(Gate((0, 0), (10, 0)))
         ball = world.add(Ball((5, y), radius=1, velocity=(0, -1)))
         assert len(world.step(0.1)) == hits

@@ -9,7 +9,7 @@ from carom import Arc, Ball, Circle, Point, Segment, World
 
 def struck(ball: Ball, shape: object, **settings: object) -> tuple[World, Ball]:
     """A world of one substep a step in which a ball and a shape have met for a tenth of a second."""
-    world = World(substeps=1, **settings)  # type: ignore[arg-type]
+    world = World(detection="discrete", substeps=1, **settings)  # type: ignore[arg-type]
     world.add(shape)  # type: ignore[type-var]
     world.add(ball)
     world.step(0.1)
@@ -62,7 +62,7 @@ def test_a_kick_is_given_to_the_slowest_approach_and_to_none_that_leaves() -> No
 
 def test_a_slow_approach_rests_and_gives_no_hit() -> None:
     for speed, hits in ((0.099, 0), (0.101, 1)):
-        world = World(substeps=1, rest_speed=0.1)
+        world = World(detection="discrete", substeps=1, rest_speed=0.1)
         world.add(Segment((-9, 0), (9, 0), elasticity=0.5))
         ball = world.add(Ball((0, 1), radius=1, velocity=(3, -speed)))
         assert len(world.step(0.1)) == hits
@@ -77,7 +77,7 @@ def test_nothing_rests_at_elasticity_one() -> None:
 
 def test_the_default_rest_speed_is_twice_what_gravity_adds_in_a_substep() -> None:
     for speed, hits in ((1.99, 0), (2.01, 1)):
-        world = World(substeps=2, gravity=(0, -10))
+        world = World(detection="discrete", substeps=2, gravity=(0, -10))
         world.add(Segment((-9, 0), (9, 0), elasticity=0.5))
         # Touches half-way through the first substep of 0.1 s, with this speed.
         fallen = (speed - 0.5) * 0.05 + 5 * 0.05 * 0.05
@@ -88,7 +88,7 @@ def test_the_default_rest_speed_is_twice_what_gravity_adds_in_a_substep() -> Non
 
 def test_two_balls_rest_against_each_other_too() -> None:
     for speed, hits in ((0.099, 0), (0.101, 1)):
-        world = World(substeps=1, rest_speed=0.1)
+        world = World(detection="discrete", substeps=1, rest_speed=0.1)
         first = world.add(Ball((0, 0), radius=1, velocity=(speed, 0.5), elasticity=0.5, mass=3))
         second = world.add(Ball((2, 0), radius=1, velocity=(0, 0.5)))
         assert len(world.step(0.1)) == hits
@@ -103,7 +103,7 @@ def test_without_gravity_nothing_rests_by_default() -> None:
 
 
 def test_the_approach_is_taken_as_it_was_at_contact() -> None:
-    world = World(substeps=1, gravity=(0, -8), rest_speed=0)
+    world = World(detection="discrete", substeps=1, gravity=(0, -8), rest_speed=0)
     world.add(Segment((-9, 0), (9, 0), elasticity=0.5))
     ball = world.add(Ball((0, 1.25), radius=1))
     hits = world.step(0.5)  # falls 1, which is 0.75 too deep; at contact its speed was 2
@@ -114,7 +114,7 @@ def test_the_approach_is_taken_as_it_was_at_contact() -> None:
 
 
 def test_a_ball_deeper_than_it_can_have_fallen_stops() -> None:
-    world = World(substeps=1, gravity=(0, -8), rest_speed=0)
+    world = World(detection="discrete", substeps=1, gravity=(0, -8), rest_speed=0)
     world.add(Segment((-9, 0), (9, 0)))
     ball = world.add(Ball((0, 0.25), radius=1))
     world.step(0.125)
@@ -123,7 +123,7 @@ def test_a_ball_deeper_than_it_can_have_fallen_stops() -> None:
 
 
 def test_gravity_along_a_wall_corrects_nothing() -> None:
-    world = World(substeps=1, gravity=(0, -8))
+    world = World(detection="discrete", substeps=1, gravity=(0, -8))
     world.add(Segment((0, -9), (0, 9)))
     ball = world.add(Ball((1.1, 0), radius=1, velocity=(-2, 0)))
     world.step(0.125)
@@ -131,7 +131,7 @@ def test_gravity_along_a_wall_corrects_nothing() -> None:
 
 
 def test_a_swinging_flipper_adds_its_speed_and_more() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     flipper = world.add(
         Segment((0, 0), (10, 0), motion="kinematic", pivot=(0, 0), angular_velocity=0.5, elasticity=0.5)
     )
@@ -155,7 +155,7 @@ def test_a_platform_throws_a_ball_at_twice_its_speed() -> None:
 
 
 def test_a_surface_that_runs_away_bounces_nothing() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Segment((-9, 0), (9, 0), motion="kinematic", velocity=(0, -3)))
     ball = world.add(Ball((0, 0.9), radius=1, velocity=(0, -2)))
     assert len(world.step(0.01)) == 0
@@ -163,7 +163,7 @@ def test_a_surface_that_runs_away_bounces_nothing() -> None:
 
 
 def test_friction_slows_evenly_and_never_reverses() -> None:
-    world = World(substeps=4, friction=2.0)
+    world = World(detection="discrete", substeps=4, friction=2.0)
     ball = world.add(Ball((0, 0), radius=1, velocity=(3, 4)))
     world.step(1.0)
     assert hypot(*ball.velocity) == pytest.approx(3)
@@ -176,7 +176,7 @@ def test_friction_slows_evenly_and_never_reverses() -> None:
 
 
 def test_friction_far_beyond_a_ball_s_speed_stops_it() -> None:
-    world = World(friction=1e9)
+    world = World(detection="discrete", friction=1e9)
     ball = world.add(Ball((0, 0), radius=1, velocity=(-3, 1)))
     world.step(1)
     assert ball.velocity == (0, 0)
@@ -189,7 +189,7 @@ def test_a_ball_made_too_fast_by_a_response_is_slowed_and_counted() -> None:
 
 
 def test_a_ball_that_meets_nothing_is_not_slowed() -> None:
-    world = World(max_speed=1.0)
+    world = World(detection="discrete", max_speed=1.0)
     ball = world.add(Ball((0, 0), radius=1, velocity=(30, 0)))
     world.step(0.1)
     assert ball.velocity == (30, 0)
@@ -197,7 +197,7 @@ def test_a_ball_that_meets_nothing_is_not_slowed() -> None:
 
 
 def test_both_balls_of_a_pair_are_slowed() -> None:
-    world = World(substeps=1, max_speed=1.0)
+    world = World(detection="discrete", substeps=1, max_speed=1.0)
     balls = [world.add(Ball((0, 0), radius=1, velocity=(5, 3))), world.add(Ball((2, 0), radius=1, velocity=(-5, 0)))]
     world.step(0.01)
     assert [hypot(*ball.velocity) for ball in balls] == pytest.approx([1, 1])
@@ -205,7 +205,7 @@ def test_both_balls_of_a_pair_are_slowed() -> None:
 
 
 def test_a_ball_that_slides_along_a_floor_is_slowed_too() -> None:
-    world = World(gravity=(0, -10), max_speed=3.0)
+    world = World(detection="discrete", gravity=(0, -10), max_speed=3.0)
     world.add(Segment((-99, 0), (99, 0), elasticity=0.5))
     ball = world.add(Ball((0, 1), radius=1, velocity=(5, 0)))
     world.step(0.1)
@@ -213,19 +213,19 @@ def test_a_ball_that_slides_along_a_floor_is_slowed_too() -> None:
 
 
 def test_speeds_near_the_end_of_numbers_are_limited_and_braked_too() -> None:
-    world = World(substeps=1, max_speed=2.0)
+    world = World(detection="discrete", substeps=1, max_speed=2.0)
     world.add(Segment((-9, 0), (9, 0)))
     ball = world.add(Ball((0, 0.9), radius=1, velocity=(0, -1e200)))
     world.step(0.0)
     assert ball.velocity == (0, pytest.approx(2))
-    world = World(friction=1.0)
+    world = World(detection="discrete", friction=1.0)
     ball = world.add(Ball((0, 0), radius=1, velocity=(3e200, 4e200)))
     world.step(1e-200)
     assert ball.velocity == (3e200, 4e200)
 
 
 def test_a_ball_inside_an_arena_bounces_off_its_inside() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Circle((0, 0), 5))
     ball = world.add(Ball((3.95, 0), radius=1, velocity=(2, 1)))
     world.step(0.1)
@@ -234,7 +234,7 @@ def test_a_ball_inside_an_arena_bounces_off_its_inside() -> None:
 
 
 def test_a_ball_over_an_arc_s_centre_is_pushed_from_its_middle() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     world.add(Arc((0, 0), 0.5, 0, 1))
     ball = world.add(Ball((0, 0), radius=1))
     world.step(0.1)
@@ -244,7 +244,7 @@ def test_a_ball_over_an_arc_s_centre_is_pushed_from_its_middle() -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("turn", [0.1, 0.7, 1.9, 2.8])
 def test_balls_that_stick_hit_once_however_long_they_travel_together(turn: float) -> None:
-    world = World()
+    world = World(detection="discrete")
     x, y = cos(turn), sin(turn)
     world.add(Ball((0, 0), radius=1, velocity=(3, 1), elasticity=0, mass=1.3))
     world.add(Ball((2.1 * x, 2.1 * y), radius=1, velocity=(3 - 0.7 * x, 1 - 0.7 * y), mass=0.3))
@@ -253,7 +253,7 @@ def test_balls_that_stick_hit_once_however_long_they_travel_together(turn: float
 
 @pytest.mark.parametrize("turn", [0.1, 0.7, 1.9, 2.8])
 def test_a_ball_that_slides_along_a_wall_without_gravity_hits_it_once(turn: float) -> None:
-    world = World()
+    world = World(detection="discrete")
     x, y = cos(turn), sin(turn)
     world.add(Segment((-99 * x, -99 * y), (99 * x, 99 * y), elasticity=0))
     world.add(Ball((-1.5 * y, 1.5 * x), radius=1, velocity=(2 * x + y, 2 * y - x)))
@@ -262,7 +262,7 @@ def test_a_ball_that_slides_along_a_wall_without_gravity_hits_it_once(turn: floa
 
 @pytest.mark.parametrize(("m1", "m2", "e"), [(1, 1, 1), (2, 5, 0.7), (1, 1e6, 1), (3, 1, 0)])
 def test_a_head_on_meeting_of_balls_follows_the_formulas(m1: float, m2: float, e: float) -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     first = world.add(Ball((0, 0), radius=1, velocity=(3, 1), mass=m1, elasticity=e))
     second = world.add(Ball((2, 0), radius=1, velocity=(-1, 1), mass=m2))
     hits = world.step(1e-3)
@@ -274,7 +274,7 @@ def test_a_head_on_meeting_of_balls_follows_the_formulas(m1: float, m2: float, e
 
 
 def test_balls_move_apart_in_inverse_proportion_to_their_masses() -> None:
-    world = World(substeps=1)
+    world = World(detection="discrete", substeps=1)
     first = world.add(Ball((0, 0), radius=1, mass=3))
     second = world.add(Ball((1, 0), radius=1, mass=1))
     world.step(0.1)

@@ -88,7 +88,7 @@ def test_numbers_of_other_types_are_taken() -> None:
 
 def test_the_default_rest_speed_is_twice_what_gravity_adds_in_a_substep() -> None:
     for speed, rests in ((0.99 * 2 * 10 * 0.01, True), (1.01 * 2 * 10 * 0.01, False)):
-        world = carom.World(gravity=(0, -10), substeps=1)
+        world = carom.World(detection="discrete", gravity=(0, -10), substeps=1)
         world.add(carom.Segment((-5, 0), (5, 0), elasticity=0.5))
         ball = world.add(carom.Ball((0, 1 - 1e-12), 1, (0, -speed)))
         hits = world.step(0.01)

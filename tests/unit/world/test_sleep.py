@@ -10,7 +10,7 @@ from carom import Ball, Circle, Point, Segment, World
 
 def still_world(**settings: object) -> tuple[World, Ball]:
     """A world in which a ball at rest has fallen asleep, at the origin."""
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.25, **settings)  # type: ignore[arg-type]
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.25, **settings)  # type: ignore[arg-type]
     ball = world.add(Ball((0, 0), radius=1))
     world.run(0.5, dt=0.125)
     assert ball.asleep
@@ -18,7 +18,7 @@ def still_world(**settings: object) -> tuple[World, Ball]:
 
 
 def test_a_ball_sleeps_when_it_was_slow_for_long_enough() -> None:
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.5)
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.5)
     slow = world.add(Ball((0, 0), radius=1, velocity=(0.0625, 0)))
     fast = world.add(Ball((0, 9), radius=1, velocity=(0.125, 0)))
     world.run(0.375, dt=0.125)
@@ -34,7 +34,7 @@ def test_a_ball_sleeps_when_it_was_slow_for_long_enough() -> None:
 
 
 def test_a_ball_that_was_fast_again_starts_counting_anew() -> None:
-    world = World(substeps=1, sleep_speed=1, sleep_time=0.5, gravity=(0, -4))
+    world = World(detection="discrete", substeps=1, sleep_speed=1, sleep_time=0.5, gravity=(0, -4))
     ball = world.add(Ball((0, 0), radius=1, velocity=(0, 2.5)))
     world.run(0.75, dt=0.125)  # slow from 0.5 s to 0.75 s
     assert ball.velocity[1] == -0.5
@@ -47,7 +47,7 @@ def test_a_ball_that_was_fast_again_starts_counting_anew() -> None:
 
 
 def test_no_ball_sleeps_by_default() -> None:
-    world = World()
+    world = World(detection="discrete")
     ball = world.add(Ball((0, 0), radius=1))
     world.run(5)
     assert not ball.asleep
@@ -64,7 +64,7 @@ def test_a_sleeping_ball_does_not_fall_or_slide() -> None:
 
 
 def test_a_sleeping_ball_is_not_tested_against_shapes() -> None:
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.25)
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.25)
     world.add(Segment((-5, -1), (5, -1)))
     ball = world.add(Ball((0, 0), radius=1))
     world.run(0.5, dt=0.125)
@@ -117,7 +117,7 @@ def test_a_ball_woken_by_a_hit_counts_its_rest_anew() -> None:
     ],
 )
 def test_any_change_from_outside_wakes_all(change: Callable[[World, Point], object]) -> None:
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.25)
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.25)
     post = world.add(Point((0, 50)))
     ball = world.add(Ball((0, 0), radius=1))
     world.add(Ball((20, 20), radius=1))
@@ -140,7 +140,7 @@ def test_looking_wakes_nothing() -> None:
 
 
 def test_a_turning_shape_wakes_the_balls_in_its_way_alone() -> None:
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.25)
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.25)
     hand = world.add(Segment((0, 0), (10, 0), motion="kinematic", pivot=(0, 0)))
     near = world.add(Ball((8, 3), radius=1))
     far = world.add(Ball((-8, -8), radius=1))
@@ -154,7 +154,7 @@ def test_a_turning_shape_wakes_the_balls_in_its_way_alone() -> None:
 
 
 def test_a_shape_that_turns_far_in_a_substep_wakes_what_it_sweeps_over() -> None:
-    world = World(substeps=1, sleep_speed=0.1, sleep_time=0.25)
+    world = World(detection="discrete", substeps=1, sleep_speed=0.1, sleep_time=0.25)
     hand = world.add(Segment((0, 0), (8, -8), motion="kinematic", pivot=(0, 0)))
     ball = world.add(Ball((10.5, 0), radius=1))
     world.run(0.5, dt=0.125)
@@ -190,7 +190,7 @@ def put_to_sleep(world: World, ball: Ball) -> None:
 
 def pile(iterations: int) -> tuple[World, Ball, Ball]:
     """A ball that sleeps on the floor, and one above that comes to rest on it."""
-    world = World(gravity=(0, -10), iterations=iterations, sleep_speed=0.2, sleep_time=0.5)
+    world = World(detection="discrete", gravity=(0, -10), iterations=iterations, sleep_speed=0.2, sleep_time=0.5)
     world.add(Segment((-9, 0), (9, 0), elasticity=0.5))
     lower = world.add(Ball((0, 1), radius=1, elasticity=0.5))
     world.run(1)
@@ -224,7 +224,7 @@ def test_a_pile_falls_asleep_and_stays_so() -> None:
 
 
 def test_the_count_of_sleepers_is_that_of_the_balls() -> None:
-    world = World(gravity=(0, -10), sleep_speed=0.5, sleep_time=0.1)
+    world = World(detection="discrete", gravity=(0, -10), sleep_speed=0.5, sleep_time=0.1)
     world.add(Segment((-20, 0), (20, 0), elasticity=0.3))
     for k in range(12):
         world.add(Ball((1.5 * (k % 4), 1 + 2.01 * (k // 4)), radius=1, elasticity=0.3))

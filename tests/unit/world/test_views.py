@@ -230,7 +230,7 @@ def test_writing_a_velocity_acts_in_the_next_step() -> None:
     world.balls.velocity[:] = (0, 1)
     before = world.balls.position.copy()
     world.step(1.0)
-    assert (world.balls.position - before).tolist() == [[0, 1]] * 3
+    assert (world.balls.position - before) == pytest.approx(np.array([[0, 1]] * 3), abs=1e-15)
 
 
 @pytest.mark.parametrize("name", COLUMNS)

@@ -166,7 +166,7 @@ def test_a_ball_goes_its_way_to_the_bit_in_the_cells_that_are_kept() -> None:
         assert world._arrays.index[0]["left"] == left
         assert hits.tobytes() == same.tobytes()
         assert world.digest() == other.digest()
-    assert len(hits) > 3
+    assert len(hits) > 1
 
 
 def test_so_they_are_where_there_is_no_room_for_more_members() -> None:
