@@ -67,7 +67,7 @@ def run(quick: bool) -> list[Figure]:
 
 def map_figures(quick: bool) -> list[Figure]:
     """Microseconds of changing a map of 16,000 pieces, four sides and four corners a brick, with the next step."""
-    world = carom.World()
+    world = carom.World(detection="discrete")
     world.add(*outlines.rectangle(-10, -10, 170, 100))
     world.add(carom.Ball((-5, -5), 0.2, velocity=(3, 1)))
     corners = [(3.0 * (k % 50), 2.0 * (k // 50)) for k in range(100 if quick else 2000)]
@@ -108,6 +108,7 @@ def map_figures(quick: bool) -> list[Figure]:
 def own_figures(rounds: int, calls: int) -> list[Figure]:
     """Microseconds of setting, looking up and going back, in the pinball scene."""
     world = carom.scenes.pinball().build()
+    world.detection = "discrete"
     ball = world.balls[0]
     flipper = next(shape for shape in world.shapes if isinstance(shape, carom.Compound))
     world.step(TIME_STEP)

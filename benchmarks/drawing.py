@@ -18,7 +18,7 @@ PEGS, PADDLES, BALLS = 134, 12, 100
 def room() -> carom.World:
     """A room of 150 shapes, 12 of them turning, and 100 elastic balls that go in all directions."""
     random = Random(1)
-    world = carom.World(substeps=2, iterations=2)
+    world = carom.World(detection="discrete", substeps=2, iterations=2)
     corners = [(0.0, 0.0), (SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE)]
     for start, end in zip(corners, [*corners[1:], corners[0]], strict=True):
         world.add(carom.Segment(start, end, name="wall"))

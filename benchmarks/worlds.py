@@ -33,7 +33,9 @@ def run(quick: bool) -> list[Figure]:
         calls = {f"{size:,} copies": partial(worlds.step, TIME_STEP) for size, worlds in tables.items()}
         figures += figures_of(f"{detection}, in one call", calls, list(sizes), rounds, list(tables.values()))
     figures += in_turn(rounds, 2 if quick else IN_TURN)
-    return [*figures, *with_flippers(rounds, sizes[-2])]
+    for detection in ("discrete", "continuous"):
+        figures += with_flippers(detection, rounds, sizes[-2])
+    return figures
 
 
 def table(detection: str) -> carom.World:
@@ -123,9 +125,10 @@ def merge(setup: Setup, count: int) -> Setup:
     )
 
 
-def with_flippers(rounds: int, size: int) -> list[Figure]:
+def with_flippers(detection: str, rounds: int, size: int) -> list[Figure]:
     """The shipped pinball table with one ball, all flippers commanded anew in every step; and what `reset` takes."""
     world = carom.scenes.pinball().build()
+    world.detection = detection
     world.remove(*list(world.balls)[1:])
     worlds = copies_of(world, size)
     random = np.random.default_rng(2)
@@ -138,4 +141,4 @@ def with_flippers(rounds: int, size: int) -> list[Figure]:
 
     half = np.arange(size) % 2 == 0
     calls: dict[str, Callable[[], object]] = {"a step": step, "reset of half": partial(worlds.reset, half)}
-    return figures_of("shipped table, flippers moving", calls, [size, size], rounds, [worlds, worlds])
+    return figures_of(f"shipped table, flippers moving, {detection}", calls, [size, size], rounds, [worlds, worlds])

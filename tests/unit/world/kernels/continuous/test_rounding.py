@@ -77,3 +77,20 @@ def test_an_impact_that_takes_more_than_rounding_is_left_as_it_is() -> None:
     keep_rounding(ball, flight, a_ring()._arrays.shapes.used[0], (0.0, 0.0, 0.6, 0.8, 0.0, 0.0))
     assert ball == left
     assert flight["low_vx"] == flight["low_vy"] == 0.0
+
+
+def test_what_a_velocity_lacks_is_kept_in_snapshots_and_forgotten_where_the_velocity_is_set() -> None:
+    world, other = a_ring(), carom.World()
+    ball = world.add(carom.Ball((0.1, 0.2), 0.25, velocity=(0.6, -0.4)))
+    world.step(1.0)
+    while world._arrays.flights[0]["low_vx"] == 0.0:
+        world.step(1.0)
+    other.restore(world.snapshot())
+    other.step(0.0)
+    world.step(0.0)
+    assert other._arrays.flights[0]["low_vx"] == world._arrays.flights[0]["low_vx"]
+    assert other.run(50.0, 5.0).tobytes() == world.run(50.0, 5.0).tobytes()
+    assert other.digest() == world.digest()
+    ball.velocity = (0.3, 0.1)
+    world.step(1e-6)
+    assert world._arrays.flights[0]["low_vx"] == world._arrays.flights[0]["low_vy"] == 0.0
