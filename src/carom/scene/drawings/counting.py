@@ -7,7 +7,7 @@ from collections import Counter
 from typing import NamedTuple, NoReturn
 
 from carom.errors import SceneError
-from carom.scene.drawings.limits import DEEPEST, LONGEST_NUMBER, MOST_CURVES, MOST_ELEMENTS, MOST_MARKS
+from carom.scene.drawings.limits import DEEPEST, LONGEST_NUMBER, MOST_CURVES, MOST_ELEMENTS, MOST_MARKS, SLOW
 from carom.scene.drawings.paths import COMMAND, TAKES, count_numbers
 from carom.scene.drawings.tree import Element
 
@@ -117,8 +117,9 @@ class _Held:
         elif kind == "SPLINE":
             groups = text[begin:end]
             # Each end may have as many knots apart as its degree says, between which there is no curve.
-            ends = 2 * _whole(_values(groups, "71"))
-            self.curves += max(0, len(set(_values(groups, "40"))) - 1 - ends)
+            degree = _whole(_values(groups, "71"))
+            stretches = max(0, len(set(_values(groups, "40"))) - 1 - 2 * degree)
+            self.curves += stretches * (1 if degree <= 3 and not _values(groups, "41") else SLOW)
         elif kind == "ELLIPSE":
             self.curves += 1
 

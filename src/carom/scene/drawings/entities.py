@@ -83,8 +83,19 @@ def _spline(entity: Any) -> Outlines:
     spline = entity.construction_tool()
     if spline.degree <= 3 and not spline.is_rational and spline.is_clamped:
         return [[_bezier([_pair(point) for point in curve]) for curve in spline.bezier_decomposition()]]
-    inner = [knot for knot in sorted(set(spline.knots())) if 0.0 <= knot <= spline.max_t]
-    return [[_course(spline, low, high) for low, high in pairwise(inner)]]
+    knots, degree = spline.knots(), spline.degree
+    weights = spline.weights() or [1.0] * spline.count
+    points = [
+        (weight * point.x, weight * point.y, weight)
+        for point, weight in zip(spline.control_points, weights, strict=True)
+    ]
+    courses: list[Piece] = []
+    for last in range(degree, len(points)):
+        if knots[last] < knots[last + 1]:
+            # A stretch between two knots is shaped by the points and knots around it alone.
+            first = last - degree
+            courses.append(_course(points[first : last + 1], knots[first : last + degree + 2]))
+    return [courses]
 
 
 def _bezier(points: list[Vector]) -> Piece:
@@ -98,9 +109,26 @@ def _bezier(points: list[Vector]) -> Piece:
     return Cubic(*points)
 
 
-def _course(spline: Any, low: float, high: float) -> Course:
-    """The part of a spline between two knots."""
-    return Course(lambda t: _pair(spline.point(low + (high - low) * t)))
+def _course(points: list[tuple[float, float, float]], knots: list[float]) -> Course:
+    """The stretch of a spline between the two middle ones of some knots; each point is (x·weight, y·weight, weight).
+
+    Source: C. de Boor, A practical guide to splines, 2001, chapter X.
+    """
+    degree = len(points) - 1
+    begin, end = knots[degree], knots[degree + 1]
+
+    def place(share: float) -> Vector:
+        t = begin + (end - begin) * share
+        mixed = list(points)
+        for level in range(1, degree + 1):
+            for k in range(degree, level - 1, -1):
+                part = (t - knots[k]) / (knots[k + 1 + degree - level] - knots[k])
+                (x, y, w), (u, v, z) = mixed[k - 1], mixed[k]
+                mixed[k] = (x + part * (u - x), y + part * (v - y), w + part * (z - w))
+        x, y, w = mixed[degree]
+        return x / w, y / w
+
+    return Course(place)
 
 
 _OUTLINES: dict[str, Callable[[Any], Outlines | None]] = {

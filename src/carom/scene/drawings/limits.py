@@ -17,6 +17,8 @@ FARTHEST = 1e100
 MOST_ARCS = 250_000
 #: Curves, with those that stand in a drawing more than once counted each time: each takes two arcs at least.
 MOST_CURVES = 125_000
+#: Curves that a stretch of a spline counts as which is no cubic Bézier curve: so many times as long it takes to follow.
+SLOW = 12
 #: About how many curves are looked at first where there are many more, and how many times too many arcs they must say
 #: before all are believed to be too many.
 SAMPLE = 6_000

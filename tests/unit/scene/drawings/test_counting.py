@@ -117,6 +117,26 @@ def splines(document: Any) -> None:
     array.dxf.column_count, array.dxf.row_count = 3, 4
 
 
+@pytest.mark.parametrize(
+    ("degree", "weights", "most"), [(3, None, 24), (5, None, 20 * 12), (3, [1.0, 2.0] * 15, 24 * 12)]
+)
+def test_what_is_slow_to_follow_counts_more(
+    degree: int, weights: list[float] | None, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def draw(document: Any) -> None:
+        spline = document.modelspace().add_open_spline([(k, k % 3) for k in range(30)], degree=degree)
+        if weights:
+            spline.weights = weights
+
+    text = text_of(draw)
+    # As many stretches as it has points less its degree, of which some may be beyond its ends.
+    stretches = (30 - degree - 2 * degree) * (most // (24 if degree == 3 else 20))
+    monkeypatch.setattr(counting, "MOST_CURVES", stretches)
+    check_text(text)
+    monkeypatch.setattr(counting, "MOST_CURVES", stretches - 1)
+    assert refusal(text) == f"a drawing may have at most {stretches - 1} curves"
+
+
 def test_what_blocks_hold_is_counted_each_time_it_is_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(counting, "QUICK", 0)
     text = text_of(splines)

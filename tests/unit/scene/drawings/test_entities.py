@@ -8,6 +8,7 @@ import pytest
 
 from carom.scene.drawings.entities import DRAWS, disc, discs_of, outlines_of
 from carom.scene.drawings.pieces import Conic, Course, Cubic, Straight
+from tests import clock
 
 
 @pytest.fixture(scope="module")
@@ -69,6 +70,17 @@ def test_splines_are_followed_exactly(space: Any, degree: int, weights: list[flo
     assert near(pieces[0].start, points[0])
     assert near(pieces[-1].end, points[-1])
     assert {type(piece) for piece in pieces} <= ({Straight, Cubic} if degree <= 3 and weights is None else {Course})
+
+
+def test_a_stretch_of_a_long_spline_is_followed_as_quickly_as_one_of_a_short_one(space: Any) -> None:
+    ((short,),) = [outlines_of(space.add_open_spline([(k, k * k % 7) for k in range(12)], degree=5))]
+    entity = space.add_open_spline([(k, k * k % 7) for k in range(6000)], degree=5)
+    with clock.within(1.0):
+        ((long,),) = [outlines_of(entity)]
+        places = [place for piece in long[-400:] for place in piece.points()]
+    assert len(long) == 5995
+    assert near(short[0].at(0.5), long[0].at(0.5))
+    assert near(places[0], long[-400].start)
 
 
 def test_points_are_places_and_meshes_are_none(space: Any) -> None:
