@@ -173,7 +173,7 @@ class SlowShape:
 
 def restored(snapshot: bytes) -> carom.World:
     """A new world of a snapshot."""
-    world = carom.World(detection="discrete")
+    world = carom.World()
     world.restore(snapshot)
     return world
 

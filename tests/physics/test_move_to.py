@@ -104,7 +104,7 @@ def test_on_its_way_it_is_in_snapshots_copies_and_pickles(kind: str, detection: 
     world.add(shape)
     shape.move_to((3, 0.1), 0.1, orientation=0.7)
     world.run(0.05)
-    restored = World(detection="discrete")
+    restored = World()
     restored.restore(world.snapshot())
     others = [restored, copy.deepcopy(world), pickle.loads(pickle.dumps(world))]
     world.run(0.1)

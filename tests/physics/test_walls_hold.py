@@ -128,8 +128,8 @@ def test_a_press_goes_over_a_ball_that_a_wall_holds() -> None:
         assert ball.position[0] < 5
         assert hypot(*ball.velocity) < 3
     assert world.statistics.squeezed == 1
-    assert World(detection="discrete").digest() != world.digest()
-    twin = World(detection="discrete")
+    assert World().digest() != world.digest()
+    twin = World()
     twin.restore(world.snapshot())
     assert twin.digest() == world.digest()
 

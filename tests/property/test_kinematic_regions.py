@@ -140,7 +140,7 @@ def substeps(seed: int, phase: str, resumed: bool) -> tuple[list[Any], str]:
         if random.random() < 0.3:
             change(random, random.choice(kinematic), world.balls)
         if resumed:
-            snapshot, world = world.snapshot(), carom.World(detection="discrete")
+            snapshot, world = world.snapshot(), carom.World()
             world.restore(snapshot)
     kinematic = [shape for shape in world.shapes if shape.motion == carom.Motion.KINEMATIC]
     told += [bits(world.balls.position), bits(world.balls.velocity)]

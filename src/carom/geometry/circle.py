@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from carom.constants import ROUNDING, SPLITTER
+from carom.constants import ROUNDING
+from carom.geometry.exact import exact_product, exact_sum
 from carom.geometry.vector import length, unit
 
 
@@ -89,33 +90,16 @@ def power(x1: float, y1: float, x2: float, y2: float, r1: float, r2: float) -> f
     """|p2 - p1|² - (r1 - r2)², the squared length of a tangent, to about 30 digits of its largest term.
 
     With r2 = 0 it is the power of the point p1 for the circle (p2, r1). Every difference and square is taken with its
-    rounding error (Dekker 1971; Shewchuk 1997, sections 2.3 to 2.5), so that the terms may cancel.
+    rounding error (Shewchuk 1997, sections 2.3 to 2.5), so that the terms may cancel.
     """
-    dx, dx_tail = exact_difference(x2, x1)
-    dy, dy_tail = exact_difference(y2, y1)
-    dr, dr_tail = exact_difference(r1, r2)
-    xx, xx_tail = exact_square(dx)
-    yy, yy_tail = exact_square(dy)
-    rr, rr_tail = exact_square(dr)
-    plus, plus_tail = exact_difference(xx, -yy)
-    head, head_tail = exact_difference(plus, rr)
+    dx, dx_tail = exact_sum(x2, -x1)
+    dy, dy_tail = exact_sum(y2, -y1)
+    dr, dr_tail = exact_sum(r1, -r2)
+    xx, xx_tail = exact_product(dx, dx)
+    yy, yy_tail = exact_product(dy, dy)
+    rr, rr_tail = exact_product(dr, dr)
+    plus, plus_tail = exact_sum(xx, yy)
+    head, head_tail = exact_sum(plus, -rr)
     # (d + tail)² is d² + 2·d·tail, but for the square of the tail, which is below the last of 30 digits.
     mixed = 2.0 * (dx * dx_tail + dy * dy_tail - dr * dr_tail)
     return head + (plus_tail + head_tail + (xx_tail + yy_tail - rr_tail) + mixed)
-
-
-def exact_difference(a: float, b: float) -> tuple[float, float]:
-    """`a - b` as rounded, and the rounding error: the two add up to the true difference (Knuth's two-sum)."""
-    difference = a - b
-    b_part = a - difference
-    a_part = difference + b_part
-    return difference, (a - a_part) + (b_part - b)
-
-
-def exact_square(a: float) -> tuple[float, float]:
-    """`a*a` as rounded, and the rounding error: the two add up to the true square (Dekker's product)."""
-    square = a * a
-    scaled = SPLITTER * a
-    high = scaled - (scaled - a)
-    low = a - high
-    return square, ((high * high - square) + 2.0 * high * low) + low * low

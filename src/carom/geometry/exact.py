@@ -6,8 +6,7 @@ for extending the available precision, Numer. Math. 18 (1971) 224-242 (products)
 
 from __future__ import annotations
 
-#: Splits a double in two halves, products of which are exact. Factors from 1e300 on overflow.
-SPLIT = 134217729.0
+from carom.constants import SPLITTER
 
 
 def exact_sum(a: float, b: float) -> tuple[float, float]:
@@ -18,12 +17,12 @@ def exact_sum(a: float, b: float) -> tuple[float, float]:
 
 
 def exact_product(a: float, b: float) -> tuple[float, float]:
-    """The rounded `a·b`, and what the exact product is more than that, unless this is below 1e-308."""
+    """The rounded `a·b`, and what the exact product is more than that: for factors below 1e300, if not below 1e-308."""
     product = a * b
-    wide = SPLIT * a
+    wide = SPLITTER * a
     a_high = wide - (wide - a)
     a_low = a - a_high
-    wide = SPLIT * b
+    wide = SPLITTER * b
     b_high = wide - (wide - b)
     b_low = b - b_high
     return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
@@ -37,7 +36,7 @@ def exact_cross(ax: float, ay: float, bx: float, by: float) -> tuple[float, floa
     return total, low + (first_low - second_low)
 
 
-def exact_square(x: float, y: float) -> tuple[float, float]:
+def exact_length_squared(x: float, y: float) -> tuple[float, float]:
     """The square of a vector's length and what rounding has taken from it, to 1e-32 of it."""
     first, first_low = exact_product(x, x)
     second, second_low = exact_product(y, y)

@@ -7,13 +7,13 @@ Source: Dekker, A floating-point technique for extending the available precision
 
 from __future__ import annotations
 
+from carom.geometry.exact import exact_sum
+
 
 def later(time: float, low: float, seconds: float) -> tuple[float, float]:
     """The instant so many seconds after another."""
-    total = time + seconds
-    # What the rounding of the sum has lost, exactly (Knuth).
-    part = total - time
-    lost = (time - (total - part)) + (seconds - part) + low
+    total, lost = exact_sum(time, seconds)
+    lost += low
     high = total + lost
     return high, lost - (high - total)
 

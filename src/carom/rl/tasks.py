@@ -29,7 +29,7 @@ def by_name(name: Any) -> Task:
 
 
 def _quick(scene: Scene) -> Scene:
-    """A scene in the discrete mode, in which an agent sees twice as many steps a second."""
+    """A scene in the discrete mode, in which many copies are stepped sooner."""
     return scene.model_copy(update={"world": scene.world.model_copy(update={"detection": "discrete"})})
 
 

@@ -140,14 +140,6 @@ def test_the_power_of_a_point_is_exact(x1: float, y1: float, x2: float, y2: floa
     assert error <= Fraction(3e-16) * abs(exact) + Fraction(1e-30 * largest + 1e-300)
 
 
-@given(extremes, extremes)
-def test_a_difference_and_a_square_leave_nothing_out(a: float, b: float) -> None:
-    difference, lost = circle.exact_difference(a, b)
-    assert Fraction(difference) + Fraction(lost) == Fraction(a) - Fraction(b)
-    square, left_out = circle.exact_square(a)
-    assert abs(Fraction(square) + Fraction(left_out) - Fraction(a) ** 2) <= Fraction(5e-324) * 4
-
-
 @given(extremes, extremes, positive_extremes, extremes, extremes, positive_extremes)
 def test_tangents_are_finite_at_any_magnitude(x1: float, y1: float, r1: float, x2: float, y2: float, r2: float) -> None:
     for found in (circle.tangent_points(x1, y1, r1, x2, y2), circle.common_tangents(x1, y1, r1, x2, y2, r2)):

@@ -226,11 +226,12 @@ def test_columns_stay_valid_while_the_world_runs_and_shapes_come_and_go() -> Non
 
 def test_writing_a_velocity_acts_in_the_next_step() -> None:
     world = filled()
+    world.detection = "discrete"  # where each step rounds the place anew
     world.step(0.1)
     world.balls.velocity[:] = (0, 1)
     before = world.balls.position.copy()
     world.step(1.0)
-    assert (world.balls.position - before) == pytest.approx(np.array([[0, 1]] * 3), abs=1e-15)
+    assert (world.balls.position - before).tolist() == [[0, 1]] * 3
 
 
 @pytest.mark.parametrize("name", COLUMNS)

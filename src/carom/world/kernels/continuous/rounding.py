@@ -11,7 +11,7 @@ from __future__ import annotations
 from math import fabs
 
 from carom.constants import KEPT_ROUNDING, LEAST_STEEPNESS
-from carom.geometry.exact import exact_cross, exact_square, exact_sum
+from carom.geometry.exact import exact_cross, exact_length_squared, exact_sum
 from carom.geometry.vector import cross, dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
@@ -53,8 +53,8 @@ def keep_rounding(
     after, after_low = exact_cross(dx, dy, vx, vy)
     after_low += cross(low_x, low_y, vx, vy)
     turn = ((before - after) + (before_low - after_low)) / distance
-    before, before_low = exact_square(from_vx, from_vy)
-    after, after_low = exact_square(vx, vy)
+    before, before_low = exact_length_squared(from_vx, from_vy)
+    after, after_low = exact_length_squared(vx, vy)
     before_low += 2.0 * dot(from_vx, from_vy, from_low_vx, from_low_vy)
     gain = 0.5 * ((before - after) + (before_low - after_low))
     if not (fabs(turn) <= KEPT_ROUNDING * speed and fabs(gain) <= KEPT_ROUNDING * speed * speed):

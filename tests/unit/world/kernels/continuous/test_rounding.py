@@ -33,7 +33,7 @@ def turned(ball: BallRow, flight: FlightRow) -> tuple[Fraction, Fraction]:
     return x * vy - y * vx, vx * vx + vy * vy
 
 
-def a_ring() -> carom.world.World:
+def a_ring() -> carom.World:
     """A world with a ring of radius 1."""
     return continuous_world(carom.Circle((0, 0), 1))
 
@@ -44,9 +44,8 @@ def test_turning_and_speed_are_what_they_were_before_the_impact(off_x: int, off_
     ball, flight = ball_at(0.1, 0.2, 0.6, -0.4)
     flight["low_vx"] = low
     before, came = turned(ball, flight), way_of(ball, flight)
-    # It comes to (.45, .6) less or more, and is sent back there with a velocity that is off by some roundings.
-    for name, value in {"x": 0.45, "y": 0.6, "low_vx": 0.0}.items():
-        (flight if name == "low_vx" else ball)[name] = value
+    # It comes to (.45, .6), more or less, and is sent back there with a velocity that is off by some roundings.
+    ball["x"], ball["y"], flight["low_vx"] = 0.45, 0.6, 0.0
     turning = before[0]
     # The velocity of that turning and speed which leads into the room, to the last digits.
     along = float(turning) / 0.75

@@ -151,7 +151,7 @@ def test_passing_pairs_are_state() -> None:
     world.add(Segment((0, 0), (10, 0)))
     world.add(Ball((-1, 0.5), radius=1, velocity=(1, -0.02)))
     world.run(3, dt=0.1)
-    twin = World(detection="discrete")
+    twin = World()
     twin.restore(world.snapshot())
     assert len(twin.run(2, dt=0.1)) == len(world.run(2, dt=0.1)) == 0
     assert twin.digest() == world.digest()

@@ -123,7 +123,7 @@ def test_a_snapshot_and_a_scene_keep_targets_that_stand_and_those_that_have_drop
     for seconds in (0.1, 0.5):
         world, _ = lane(detection, balls=2)
         world.run(seconds)
-        twin = carom.World(detection="discrete")
+        twin = carom.World()
         twin.restore(world.snapshot())
         built = carom.Scene.from_world(world).build()
         for other in (twin, built):
