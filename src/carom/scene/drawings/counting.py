@@ -118,8 +118,10 @@ class _Held:
             groups = text[begin:end]
             # Each end may have as many knots apart as its degree says, between which there is no curve.
             degree = _whole(_values(groups, "71"))
-            stretches = max(0, len(set(_values(groups, "40"))) - 1 - 2 * degree)
-            self.curves += stretches * (1 if degree <= 3 and not _values(groups, "41") else SLOW)
+            knots = _values(groups, "40")
+            stretches = max(0, len(set(knots)) - 1 - 2 * degree)
+            clamped = len(set(knots[: degree + 1])) == 1 == len(set(knots[-degree - 1 :]))
+            self.curves += stretches * (1 if degree <= 3 and clamped and not _values(groups, "41") else SLOW)
         elif kind == "ELLIPSE":
             self.curves += 1
 

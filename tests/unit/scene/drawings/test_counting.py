@@ -118,23 +118,26 @@ def splines(document: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("degree", "weights", "most"), [(3, None, 24), (5, None, 20 * 12), (3, [1.0, 2.0] * 15, 24 * 12)]
+    ("degree", "weights", "clamped", "each"),
+    [(3, None, True, 1), (5, None, True, 12), (3, [1.0, 2.0] * 15, True, 12), (3, None, False, 12)],
 )
 def test_what_is_slow_to_follow_counts_more(
-    degree: int, weights: list[float] | None, most: int, monkeypatch: pytest.MonkeyPatch
+    degree: int, weights: list[float] | None, clamped: bool, each: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def draw(document: Any) -> None:
         spline = document.modelspace().add_open_spline([(k, k % 3) for k in range(30)], degree=degree)
         if weights:
             spline.weights = weights
+        if not clamped:
+            spline.knots = [float(k) for k in range(31 + degree)]
 
     text = text_of(draw)
-    # As many stretches as it has points less its degree, of which some may be beyond its ends.
-    stretches = (30 - degree - 2 * degree) * (most // (24 if degree == 3 else 20))
-    monkeypatch.setattr(counting, "MOST_CURVES", stretches)
+    # One less than its knots that differ, of which so many as its degree may be beyond either end.
+    most = each * ((30 - degree if clamped else 30 + degree) - 2 * degree)
+    monkeypatch.setattr(counting, "MOST_CURVES", most)
     check_text(text)
-    monkeypatch.setattr(counting, "MOST_CURVES", stretches - 1)
-    assert refusal(text) == f"a drawing may have at most {stretches - 1} curves"
+    monkeypatch.setattr(counting, "MOST_CURVES", most - 1)
+    assert refusal(text) == f"a drawing may have at most {most - 1} curves"
 
 
 def test_what_blocks_hold_is_counted_each_time_it_is_drawn(monkeypatch: pytest.MonkeyPatch) -> None:

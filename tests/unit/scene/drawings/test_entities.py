@@ -72,6 +72,19 @@ def test_splines_are_followed_exactly(space: Any, degree: int, weights: list[flo
     assert {type(piece) for piece in pieces} <= ({Straight, Cubic} if degree <= 3 and weights is None else {Course})
 
 
+def test_a_spline_that_is_not_clamped_is_followed_where_all_its_points_count(space: Any) -> None:
+    points = [(0.0, 0.0), (6.0, 3.0), (12.0, -3.0), (18.0, 9.0), (24.0, 0.0)]
+    entity = space.add_spline(dxfattribs={"degree": 3})
+    entity.control_points, entity.knots = points, list(range(9))
+    (pieces,) = outlines_of(entity)
+    # A uniform cubic spline begins each stretch at a sixth of its first, four of its second and one of its third point.
+    joints = [tuple((a + 4.0 * b + c) / 6.0 for a, b, c in zip(*points[k : k + 3], strict=True)) for k in range(3)]
+    assert len(pieces) == 2
+    for piece, begin, end in zip(pieces, joints, joints[1:], strict=False):
+        assert near(piece.start, begin)
+        assert near(piece.end, end)
+
+
 def test_a_stretch_of_a_long_spline_is_followed_as_quickly_as_one_of_a_short_one(space: Any) -> None:
     ((short,),) = [outlines_of(space.add_open_spline([(k, k * k % 7) for k in range(12)], degree=5))]
     entity = space.add_open_spline([(k, k * k % 7) for k in range(6000)], degree=5)
