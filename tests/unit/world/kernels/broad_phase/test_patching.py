@@ -156,17 +156,19 @@ def test_a_ball_goes_its_way_to_the_bit_in_the_cells_that_are_kept() -> None:
     far = [carom.Circle((-30, 5), 1), carom.Circle((40, 5), 1), carom.Circle((5, 40), 1), carom.Circle((5, -30), 1)]
     world.add(*posts, *far, carom.Ball((0.5, 0.5), 0.1, velocity=(1.0, 0.3)))
     world.run(5.0)
+    met = 0
     for gone in far:
         other = carom.World()
         other.restore(world.snapshot())
         other.remove(other.object(gone.id))
         world.remove(gone)
         left = float(world._arrays.index[0]["left"])
-        hits, same = world.run(10.0), other.run(10.0)
+        hits, same = world.run(5.0), other.run(5.0)
         assert world._arrays.index[0]["left"] == left
         assert hits.tobytes() == same.tobytes()
         assert world.digest() == other.digest()
-    assert len(hits) > 3
+        met += len(hits)
+    assert met > 12
 
 
 def test_so_they_are_where_there_is_no_room_for_more_members() -> None:
