@@ -227,6 +227,7 @@ def fleet(seed: int, count: int = 40, speed: float = 1.0) -> Arrays:
             shapes.append(Circle((x, y), 0.7, motion="kinematic", pivot=(x + 2, y), **options[k % 4]))
     arrays = roomy(continuous_world(*shapes, carom.Ball((0, 0), RADIUS)))
     look_at(arrays, 0.37)
+    arrays.states[0]["moving_stale"] = STALE
     prepare_regions(arrays)
     return arrays
 

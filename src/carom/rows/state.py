@@ -29,6 +29,10 @@ TOO_MANY_IMPACTS = 7  # continuous: a ball has reached `max_impacts`; the step e
 STALE = 1
 OTHER_REACH = 2  # the shapes are as they were, the largest ball is not
 
+# What was changed from outside, for which the next step wakes all balls.
+CHANGED = 1  # anything but how kinematic shapes lie and move
+MOTIONS_CHANGED = 2  # that too
+
 # Which kinematic shapes were copied when a step began (continuous).
 MOVERS = 0  # those that move
 WHOLE = 1  # all
@@ -99,7 +103,7 @@ class StateRow(TypedDict):
     relations: i8  # in use
     relations_high: i8  # rows of the pool ever used; those above are free
     free_relation: i4  # first of the released rows below `relations_high`, or NO_RELATION
-    wake: i4  # something was changed from outside
+    wake: i4  # what was changed from outside: 0, CHANGED or MOTIONS_CHANGED
     index_stale: i8  # whether the index of all shapes is to be made anew: 0, STALE or OTHER_REACH
     moving_stale: i8  # the same of that of the kinematic shapes: 0 or STALE
     taken: i8  # static shapes that are to be taken out of the index, and

@@ -18,7 +18,7 @@ from carom.errors import InvalidArgument
 from carom.rows.ball import ALL_LAYERS, BALL, OF_WORLD
 from carom.rows.relation import NO_RELATION
 from carom.rows.shape import BALL_KIND, KINEMATIC, ShapeRow
-from carom.rows.state import STALE, STATE, StateRow
+from carom.rows.state import CHANGED, MOTIONS_CHANGED, STALE, STATE, StateRow
 from carom.rows.tables import Rows, Table
 from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
@@ -152,7 +152,8 @@ class Members:
                 self._listed.append(shape)
         if shapes:
             self._arrays.note_come(first)
-            self._rearrange()
+            come = self._arrays.shape_table.used["motion"][first:]
+            self._rearrange(MOTIONS_CHANGED if (come == KINEMATIC).any() else CHANGED)
 
     def _take_part(self, shape: Shape) -> None:
         """Take in a shape that has become part of a whole which is here; it is listed no more, if it was."""
@@ -255,7 +256,7 @@ class Members:
         rows["id"] = self._next_ids(count)
         table.rows[table.count : table.count + count] = rows
         table.count += count
-        self._rearrange()
+        self._rearrange(CHANGED)
         return rows["id"].copy()
 
     @alone
@@ -297,7 +298,7 @@ class Members:
                     member._leave()
                     self._departed.add(member_id, member)
         remove_rows(self._arrays, balls, shapes)
-        self._rearrange()
+        self._rearrange(CHANGED)
 
     def object(self, member_id: int) -> Shape | Ball:
         """The shape or ball with an id: the object that was added, or always the same one for a row of `add_balls`.
@@ -338,34 +339,34 @@ class Members:
 
     def _changed(self) -> None:
         """Take note that a member was changed from outside, but not where and how it lies or moves."""
-        self._halves[WAKE] = 1
+        if self._halves[WAKE] == 0:
+            self._halves[WAKE] = CHANGED
 
     def _set_going(self) -> None:
         """Take note that shapes were set to move otherwise, which are where they were."""
-        self._halves[WAKE] = 1
+        self._halves[WAKE] = MOTIONS_CHANGED
         self._words[MOVING_STALE] = STALE
 
     def _moved(self, shape: Shape, before: ShapeRow) -> None:
         """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
-        self._halves[WAKE] = 1
         row, layout = shape._row, self._arrays.layout
         if row["motion"] == before["motion"] == KINEMATIC:
-            self._words[MOVING_STALE] = STALE
-            return
-        if row["motion"] == before["motion"]:
+            self._set_going()
+        elif row["motion"] == before["motion"]:
             layout.note_moved(shape._table.index(shape), before)
+            self._rearrange(CHANGED)
         else:
             layout.note_other_motion(shape._table.index(shape), before, int(row["motion"]))
-        self._rearrange()
+            self._rearrange(MOTIONS_CHANGED)
 
     def _changed_all(self) -> None:
         """Take note that a setting was changed, or that balls may have been."""
         self._arrays.layout.forget()
-        self._rearrange()
+        self._rearrange(MOTIONS_CHANGED)
 
-    def _rearrange(self) -> None:
-        """Have the next step look at its tables anew."""
-        self._states[0]["wake"] = 1
+    def _rearrange(self, what: int) -> None:
+        """Have the next step look at its tables anew, in which so much was changed."""
+        self._halves[WAKE] = max(self._halves[WAKE], what)
         self._search = None
         self._forget_block()
 
@@ -374,7 +375,7 @@ class Members:
         self._block = None
         self._dt = -1.0
 
-    def _will_wake(self) -> bool:
-        """Whether the next step begins with waking all balls: something was changed from outside, or through a view."""
+    def _will_wake(self) -> int:
+        """Why the next step begins with waking all balls, or 0: see `will_wake`; a change through a view is seen."""
         see_lent(self._world)
         return will_wake(self._arrays)

@@ -67,8 +67,8 @@ def sealed(payload: bytes) -> bytes:
     return MAGIC + _hash(payload) + payload
 
 
-def hash_of(arrays: Arrays, header: dict[str, Any], wake: bool) -> str:
-    """What `digest_of` says of a world with these tables, names and compounds, that wakes or does not."""
+def hash_of(arrays: Arrays, header: dict[str, Any], wake: int) -> str:
+    """What `digest_of` says of a world with these tables, names and compounds, that wakes so or, for 0, does not."""
     left_out = WORK if arrays.states[0]["detection"] != DISCRETE else ()
     return _hash(payload(arrays, header, wake, left_out)).hex()
 
@@ -77,7 +77,7 @@ def _hash(payload: bytes) -> bytes:
     return hashlib.blake2b(payload, digest_size=HASH_SIZE).digest()
 
 
-def payload(arrays: Arrays, header: dict[str, Any], wake: bool, left_out: tuple[str, ...] = ()) -> bytes:
+def payload(arrays: Arrays, header: dict[str, Any], wake: int, left_out: tuple[str, ...] = ()) -> bytes:
     """The arrays of a snapshot, one after the other, with zeros for the counts that are left out."""
     state = np.array([arrays.states[0]], STATE)
     state["balls"], state["shapes"] = arrays.balls.count, arrays.shapes.count

@@ -18,7 +18,7 @@ from carom.rows.kinds import is_straight
 from carom.rows.pose import derive
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, NO_RELATION, PASSING
 from carom.rows.shape import ARC, CIRCLE, GATE, KINEMATIC, POINT, SHAPE, STATIC, ShapeRow
-from carom.rows.state import DISCRETE, STATE
+from carom.rows.state import DISCRETE, MOTIONS_CHANGED, STATE
 from carom.rows.tables import Rows
 from carom.shapes import SHAPE_CLASSES
 from carom.shapes.compound import Compound
@@ -108,7 +108,7 @@ def _check_state(contents: Contents) -> None:
         expected[name] = 0 if name in DERIVED else abs(state[name])
     expected["balls"], expected["shapes"] = len(contents.balls), len(contents.shapes)
     expected["sleeping"] = np.count_nonzero(contents.balls["asleep"])
-    expected["wake"] = state["wake"] != 0
+    expected["wake"] = state["wake"] if 0 <= state["wake"] <= MOTIONS_CHANGED else 0
     for name in SETTINGS:
         setting = vars(Settings)[name]
         try:

@@ -191,7 +191,7 @@ def see_lent(world: World) -> None:
     if len(lent) != len(rows):
         world._lent = None
     elif not np.array_equal(lent, rows[LENT]):
-        world._states[0]["wake"] = 1
+        world._changed()
         world._lent = rows[LENT].copy()
 
 

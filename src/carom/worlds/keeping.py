@@ -21,7 +21,7 @@ from carom.world.snapshot import fill, hash_of, header_of, payload, read, sealed
 from carom.world.snapshot_check import Contents
 from carom.world.tables import OF_BALLS, Arrays
 from carom.world.views import LENT
-from carom.world.waking import will_wake
+from carom.world.waking import note_changed, will_wake
 from carom.world.world import World
 from carom.worlds.memory import Memory
 from carom.worlds.stage import Common
@@ -162,7 +162,7 @@ def wake_changed(memory: Memory, lent: Rows) -> None:
         # What a ball has that is not in play means nothing.
         changed |= ((memory.balls[name] != lent[name]) & memory.in_play).any(axis=1)
     matters = (memory.state["sleeping"] > 0) | (memory.state["detection"] != DISCRETE)
-    memory.state["wake"][changed & matters] = 1
+    note_changed(memory.state, changed & matters)
 
 
 def packed(parts: list[bytes], counts: NDArray[np.int64]) -> bytes:

@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import checks
+from carom.rows.state import MOTIONS_CHANGED
 from carom.rows.tables import Rows
 from carom.shapes.compound import Compound
 from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.turns import having
 from carom.world.entering import members_of
+from carom.world.waking import note_changed
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -148,7 +150,7 @@ class CopiesOfShape:
                     row[field][sent] = 0.0
             for field, values in fields.items():
                 row[field] = values
-        memory.state["wake"] = 1
+        memory.state["wake"] = MOTIONS_CHANGED
 
     def _set_each(self, name: str, values: NDArray[np.float64]) -> None:
         """Set what a single shape checks and works out by itself, copy by copy; nothing has changed if one refuses."""
@@ -167,7 +169,7 @@ class CopiesOfShape:
             setattr(shape, name, value if np.ndim(value) else float(value))
             rows[copy] = table.rows[self._rows]
         memory.moving[:, self._columns] = rows
-        memory.state["wake"] = 1
+        memory.state["wake"] = MOTIONS_CHANGED
 
     # -- whether it is there -----------------------------------------------------------------------------------------
 
@@ -208,7 +210,7 @@ class CopiesOfShape:
                 common.memory.moving[:, column]["can_collide"] = values
             else:
                 common.memory.switches[:, np.flatnonzero(common.switched == row)[0], 0] = values
-        common.memory.state["wake"] = 1
+        note_changed(common.memory.state)
 
     # -- what has happened -------------------------------------------------------------------------------------------
 

@@ -14,7 +14,7 @@ from carom.compiler.block import Block
 from carom.compiler.door import At
 from carom.rows.copies import JOB, LACKS_HITS, LACKS_MEMORY, STEP_DUE, TAKE, JobRow
 from carom.rows.hit import HIT_ROW
-from carom.rows.state import DONE, HAS_STRAYS, PAUSE
+from carom.rows.state import CHANGED, DONE, HAS_STRAYS, PAUSE
 from carom.rows.tables import Rows
 from carom.world.kernels.copies.carrying import put_copy, take_copy
 from carom.world.kernels.copies.stepping import step_copies
@@ -189,8 +189,13 @@ class Stage:
         common.memory.balls[copy, slots[gone]] = arrays.balls.used[gone]
         remove_rows(arrays, gone, np.zeros(arrays.shapes.count, np.bool_))
         common.memory.in_play[copy, slots[gone]] = False
-        arrays.states[0]["wake"] = 1
+        self.wake()
         arrays.prepare()
+
+    def wake(self) -> None:
+        """Have the copy that is out wake its balls in its next step."""
+        state = self.arrays.states[0]
+        state["wake"] = max(state["wake"], CHANGED)
 
     def given(self) -> tuple[Rows, Rows]:
         """The hits of the job, and for each the index of its copy."""

@@ -272,7 +272,7 @@ class Worlds(Spelled):
         memory.in_play[copy] = before
         stage = self._out(copy)
         stage.park(copy, ~after[before])
-        stage.arrays.states[0]["wake"] = 1
+        stage.wake()
         stage.fill(keeping.with_more(stage.arrays, self._base, memory.balls[copy][after & ~before]))
         self._fill_from(stage, copy, after)
 

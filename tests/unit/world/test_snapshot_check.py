@@ -49,7 +49,7 @@ STATE_FAULTS: dict[str, list[Any]] = {
     "collisions": [-1],
     "balls": [0, 10**6, -1],
     "shapes": [0, 10**6, -1],
-    "wake": [2, -1],
+    "wake": [3, -1],
     "reach": [NAN, -1.0],
 }
 

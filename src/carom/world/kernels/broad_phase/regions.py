@@ -31,7 +31,7 @@ from carom.geometry.vector import length
 from carom.rows.index import NO_CHILD, CellRow, IndexRow, ShapeIndex
 from carom.rows.pose import is_moving, reach_of
 from carom.rows.shape import ShapeRow
-from carom.rows.state import BRUTE, CONTINUOUS, GRID, StateRow
+from carom.rows.state import BRUTE, GRID, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import (
     FIXED,
@@ -99,14 +99,11 @@ def build_regions(
 
 
 def are_few(state: StateRow, shown: bool) -> bool:
-    """True if there are so few kinematic shapes, and balls, that cells for them would save nothing.
-
-    Balls that are parted (continuous) ask but once.
-    """
+    """True if there are so few kinematic shapes, and balls, that cells for them would save nothing."""
     count = int(state["shapes"] - state["fixed"])
     if not shown:
         return count <= FEW_SHAPES
-    return count == 0 or (state["balls"] <= FEW_BALLS and (count <= FEW_SHAPES or state["detection"] == CONTINUOUS))
+    return count == 0 or (state["balls"] <= FEW_BALLS and count <= FEW_SHAPES)
 
 
 def list_around(

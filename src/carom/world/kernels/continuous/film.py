@@ -43,7 +43,7 @@ from carom.world.kernels.continuous.frames import begin_film_step, finish_frame,
 from carom.world.kernels.continuous.predict import predict_all
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.regions import rebuild_regions
-from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs, rebuild_index
+from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.rounds import meet_all_shapes
 from carom.world.kernels.step.stages import enter_stage
@@ -81,7 +81,7 @@ def step_continuous(
             status = note_passed(state, balls, shapes, order, index, cells, members, relations, flights)  # fmt: skip
         elif stage == MOVE or stage == SHAPES or stage == FIND_PAIRS or stage == PAIRS:
             status = part_overlaps(
-                state, balls, shapes, order, (index, cells, members), (slots, starts, pairs), saved, hits, relations
+                state, balls, shapes, (index, cells, members), (slots, starts, pairs), saved, hits, relations
             )  # fmt: skip
         elif stage == TAKE_UP:
             status = take_up(state, balls, shapes, order, hits, relations, flights, island[0])
@@ -109,7 +109,6 @@ def part_overlaps(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
     shape_index: tuple[Table[IndexRow], Table[CellRow], Table[int]],
     pair_index: tuple[Table[SlotRow], Table[int], Pairs],
     saved: Table[SavedRow],
@@ -121,8 +120,8 @@ def part_overlaps(
     _slots, _starts, pairs = pair_index
     status = DONE
     if stage == MOVE:
-        return begin_parting(state, balls, shapes, order, shape_index, saved)
-    if stage == SHAPES:
+        begin_parting(state, saved)
+    elif stage == SHAPES:
         status = meet_all_shapes(state, balls, shapes, shape_index, pair_index, saved, hits, relations)
     elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
         enter_stage(state, TAKE_UP)
@@ -135,23 +134,13 @@ def part_overlaps(
     return status
 
 
-def begin_parting(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    order: Table[int],
-    shape_index: tuple[Table[IndexRow], Table[CellRow], Table[int]],
-    saved: Table[SavedRow],
-) -> int:
-    """DONE when the index of shapes is right and balls may be moved apart; NEEDS_PAIRS if it has too little room."""
-    if not rebuild_index(state, balls, shapes, order, shape_index):
-        return NEEDS_PAIRS
+def begin_parting(state: StateRow, saved: Table[SavedRow]) -> None:
+    """Make all balls due to be moved apart from what they overlap; the index of shapes is right, see `note_passed`."""
     state["iteration"] = 0
     state["found"] = 0
     for i in range(state["balls"]):
         saved[i]["touched"] = SHAPES_DUE | PAIRS_DUE
     enter_stage(state, SHAPES)
-    return DONE
 
 
 def after_parting(state: StateRow) -> int:

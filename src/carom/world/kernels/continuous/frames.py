@@ -14,10 +14,12 @@ from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
     BEGIN,
+    CHANGED,
     DONE,
     FLY,
     FORESEE,
     HAS_STRAYS,
+    MOTIONS_CHANGED,
     MOVE,
     MOVERS,
     NEEDS_PAIRS,
@@ -79,8 +81,8 @@ def begin_film_step(
             return bad
         keep_seen(state, balls, flights)
         changed = state["wake"] != 0 or is_any_changed(state, balls, flights)
-        if state["sleeping"] > 0 and changed:
-            state["wake"] = 1
+        if state["sleeping"] > 0 and changed and state["wake"] == 0:
+            state["wake"] = CHANGED
         if state["index_stale"] + state["taken"] + state["put"] > 0:
             state["foreseen"] = 0
     state["step_hits"] = state["hits"]
@@ -90,18 +92,14 @@ def begin_film_step(
     horizon, horizon_low = later(float(state["time"]), float(state["time_low"]), float(state["dt"]))
     state["horizon"] = horizon
     state["horizon_low"] = horizon_low
-    keep_tables(states, shapes, order, relations, changed)
+    keep_tables(states, shapes, order, relations)
     state["substep"] = 0
     state["outside"] = 0
     if state["running"] != 0:
         enter_stage(state, FLY)
     elif changed:
         state["foreseen"] = 0
-        if state["wake"] != 0:
-            # Where they are seen, or were put, they begin to move as was set.
-            begin_motions(state, shapes, order)
-        else:
-            take_back(state, shapes, order)
+        take_up_motions(state, shapes, order)
         enter_stage(state, NOTE)
     else:
         enter_stage(state, TAKE_UP)
@@ -156,15 +154,25 @@ def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
     )
 
 
+def take_up_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+    """Have kinematic shapes move on as they did, or, where they are or how they move was changed, anew from now."""
+    if state["wake"] == MOTIONS_CHANGED:
+        # Where they are seen, or were put, they begin to move as was set.
+        begin_motions(state, shapes, order)
+    else:
+        take_back(state, shapes, order)
+
+
 def keep_tables(
-    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow], whole: bool
+    states: Table[StateRow], shapes: Table[ShapeRow], order: Table[int], relations: Table[RelationRow]
 ) -> None:
     """Keep all that a step may change but for the balls: state, relations, and the kinematic shapes that move.
 
-    Or all kinematic ones where `whole`, because something was changed from outside, which may move any of them; and
-    none in a step in which none stops or arrives, which can be shown again as they were.
+    Or all kinematic ones, where any of them was changed from outside; and none in a step in which none stops or
+    arrives, which can be shown again as they were.
     """
     state = states[0]
+    whole = state["wake"] == MOTIONS_CHANGED
     state["kept_whole"] = WHOLE if whole else UNCHANGED if is_none_to_change(state, shapes, order) else MOVERS
     if state["kept_whole"] != UNCHANGED:
         unlist_resting(state, shapes, order)
@@ -261,10 +269,8 @@ def take_up(
     if changed:
         wake_all(state, balls)
         sweep_relations(state, balls, shapes, hits, relations, float(state["now"]))
-        begin_motions(state, shapes, order)
-        state["wake"] = 0
-    else:
-        take_back(state, shapes, order)
+    take_up_motions(state, shapes, order)
+    state["wake"] = 0
     foresee_changes(state, shapes, order)
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
@@ -449,6 +455,7 @@ def undo(
     state["running"] = 0
     state["foreseen"] = 0
     state["index_stale"] = STALE
+    state["moving_stale"] = STALE
 
 
 def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:

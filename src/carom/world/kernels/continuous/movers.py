@@ -32,6 +32,7 @@ def begin_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
     """Let all kinematic shapes move on from now as their rows say."""
     for k in range(state["fixed"], state["shapes"]):
         begin_motion(shapes[order[k]], float(state["now"]), float(state["now_low"]))
+    state["moving_stale"] = STALE
     list_movers(state, shapes, order)
 
 
@@ -120,6 +121,7 @@ def change_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -
             go_on(shape, wait * STOP_MARGIN)
             rest(shape)
             begin_motion(shape, float(state["now"]), float(state["now_low"]))
+            state["moving_stale"] = STALE
     foresee_changes(state, shapes, order)
 
 
@@ -143,7 +145,6 @@ def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> 
                 # It is on its way still, so there is some time left, if less than rounding.
                 shape["time_left"] = max(float(shape["time_left_before"]) - age, LEAST_SQUARE)
             pose(shape)
-            state["moving_stale"] = STALE
 
 
 def orientation_at(shape: ShapeRow, age: float) -> float:

@@ -12,7 +12,7 @@ from carom.rows.pose import is_at_rest
 from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
-from carom.rows.state import DONE, GRID, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, StateRow
+from carom.rows.state import CHANGED, DONE, GRID, MOVE, NOT_FINITE, OTHER_REACH, REFUSED, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.grid import lay_grid
 from carom.world.kernels.broad_phase.shape_index import MOVING
@@ -43,7 +43,7 @@ def begin_step(
         return status
     if state["sleeping"] > 0:
         if state["wake"] == 0 and was_changed(state, balls, saved):
-            state["wake"] = 1
+            state["wake"] = CHANGED
         save_balls(state, balls, saved)
     state["step_hits"] = state["hits"]
     list_restless(state, shapes, order, index[MOVING])

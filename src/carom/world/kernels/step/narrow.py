@@ -27,7 +27,7 @@ from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING, RelationRow
 from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import KINEMATIC, ShapeRow
-from carom.rows.state import DISCRETE, StateRow
+from carom.rows.state import CHANGED, DISCRETE, StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.step.hits import cross_ball, record_hit, write_crossing
 from carom.world.kernels.step.motion import rouse, unsoundness, wake
@@ -272,7 +272,7 @@ def bounce_off_shape(
     if shape["once"] != 0:
         spend(state, shapes, shape)
         # What rested on it falls with the next step.
-        state["wake"] = 1
+        state["wake"] = max(state["wake"], CHANGED)
 
 
 def approaches(s: float, squares: float) -> bool:

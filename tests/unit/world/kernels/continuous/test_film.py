@@ -11,7 +11,7 @@ from carom.rows.hit import HIT_ROW
 from carom.rows.saved import PAIRS_DUE, SHAPES_DUE
 from carom.rows.state import BEGIN, DONE, NEEDS_PAIRS, NEEDS_ROOM, SHAPES
 from carom.world.kernels.continuous.film import begin_parting, fly, step_continuous
-from tests.kernel_calls import film_tables, foresee_all, in_flight, prepared, shape_index
+from tests.kernel_calls import film_tables, foresee_all, in_flight, prepared
 from tests.worlds import box, continuous_world, starve
 
 
@@ -122,8 +122,8 @@ def test_fly_deals_with_all_up_to_the_horizon_and_no_more() -> None:
 
 def test_balls_are_parted_by_the_stages_of_the_discrete_mode() -> None:
     arrays = in_flight(gas())
-    state, tables = arrays.states[0], (arrays.shapes.rows, arrays.order, shape_index(arrays), arrays.saved)
-    assert begin_parting(state, arrays.balls.rows, *tables) == DONE
+    state = arrays.states[0]
+    begin_parting(state, arrays.saved)
     assert state["stage"] == SHAPES
     assert (arrays.saved["touched"][:25] == SHAPES_DUE | PAIRS_DUE).all()
 

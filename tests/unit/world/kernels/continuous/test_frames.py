@@ -111,10 +111,12 @@ def failing(world: World) -> None:
     world.balls[1].can_collide = False
 
 
+@pytest.mark.parametrize("walls", [0, 1])
 @pytest.mark.parametrize("first", [0.0, 0.7])
-def test_a_step_that_fails_leaves_everything_as_it_was(first: float) -> None:
+def test_a_step_that_fails_leaves_everything_as_it_was(first: float, walls: int) -> None:
     world = room()
     world.step(first)
+    world.add(*[Circle((0.5, 7.5), 0.1)] * walls)
     failing(world)
     before = picture(world)
     digest = world.digest()
@@ -126,6 +128,7 @@ def test_a_step_that_fails_leaves_everything_as_it_was(first: float) -> None:
     # It goes on as if nothing had been tried.
     other = room()
     other.step(first)
+    other.add(*[Circle((0.5, 7.5), 0.1)] * walls)
     failing(other)
     for tried in (world, other):
         tried.balls[1].velocity = (0, 1)
@@ -228,3 +231,25 @@ def test_a_mover_that_is_changed_goes_on_from_where_it_is_seen(dt: float) -> Non
     made.move_to((7, 7), dt=0.5)
     world.run(1.0, dt=dt)
     assert (made.position, made.orientation) == ((7, 7), 0.5)
+
+
+@pytest.mark.parametrize("sleep_speed", [0.0, 1.0])
+def test_what_is_no_change_of_motions_leaves_them_as_they_were(sleep_speed: float) -> None:
+    world, twin = room(sleep_speed=sleep_speed), room(sleep_speed=sleep_speed)
+    mill, sensor = (shape for shape in world.shapes if shape.kind != "segment" or shape.motion)
+    since = mill._row["since"]
+    for k in range(6):
+        post = world.add(Circle((0.5, 7.5), 0.1))
+        world.step(0.1)
+        post.position = (0.5 + 0.01 * k, 7.4)
+        world.step(0.1)
+        world.remove(post)
+        sensor.elasticity = 0.5
+        world.balls[0].velocity = (1.0, k)
+        world.step(0.1)
+        twin.run(0.3, 0.1)
+        assert mill._row["since"] == since
+        assert [shape.orientation for shape in twin.shapes if shape.motion] == [mill.orientation]
+    mill.angular_velocity = 1.5
+    world.step(0.1)
+    assert mill._row["since"] == pytest.approx(1.8)

@@ -5,6 +5,7 @@ from math import inf
 import pytest
 
 from carom import Circle, Point
+from carom.rows.state import STALE
 from carom.world.kernels.broad_phase.shape_index import QUARTERS, clear_towards, locate, quarter_of
 from carom.world.kernels.continuous.regions import rebuild_regions
 from tests.kernel_calls import fleet, found_moving, prepare_regions, shape_index
@@ -16,18 +17,35 @@ def test_regions_hold_longer_after_each_renewal_without_an_event() -> None:
     state = arrays.states[0]
     spans = []
     for renewals in range(4):
-        state["renewals"] = renewals
+        state["renewals"], state["moving_stale"] = renewals, STALE
         prepare_regions(arrays)
         spans.append(float(state["valid"]) - 0.37)
     assert spans == pytest.approx([spans[0], 2 * spans[0], 4 * spans[0], 8 * spans[0]])
-    state["renewals"] = 5000
+    state["renewals"], state["moving_stale"] = 5000, STALE
     prepare_regions(arrays)
     assert state["valid"] == inf
+
+
+def test_regions_stand_until_they_hold_no_more_or_a_motion_changes() -> None:
+    arrays = fleet(0)
+    state = arrays.states[0]
+    prepare_regions(arrays)
+    now, valid = float(state["now"]), float(state["valid"])
+
+    def valid_after(now: float, stale: int = 0) -> float:
+        state["now"], state["moving_stale"] = now, stale
+        prepare_regions(arrays)
+        return float(state["valid"])
+
+    assert valid_after(0.5 * (now + valid)) == valid
+    assert valid_after(2.0 * valid) > 2.0 * valid
+    assert valid_after(0.5 * (now + valid), STALE) not in (valid, inf)
 
 
 def test_an_index_without_room_says_how_much_it_wants() -> None:
     arrays = fleet(1)
     everywhere = [found_moving(arrays, x, y) for x in range(-20, 21, 4) for y in range(-20, 21, 4)]
+    arrays.states[0]["moving_stale"] = STALE
     arrays.cells, arrays.members = arrays.cells[:1].copy(), arrays.members[:1].copy()
     tables = arrays.balls.rows, arrays.shapes.rows, arrays.order
     assert not rebuild_regions(arrays.states[0], *tables, shape_index(arrays))
