@@ -98,7 +98,7 @@ INDEX_CELLS_MOST = 65536
 #: Changes the speed alone, and the number of box tests.
 FEW_BALLS = 64
 
-#: Balls up to this many are asked if they are near before a shape that turns is put in place. Changes the speed alone.
+#: Balls up to this many, or as many as shapes that only turn, are asked if near before these are put in place.
 FEW_TO_ASK = 8
 
 #: Balls up to this many are moved, and meet shapes, one after the other. Of more, those that may meet a shape are

@@ -70,10 +70,10 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int], e
     """List the kinematic shapes that do not rest in `order`, behind all shapes; a step does nothing to the others.
 
     Where nothing was set of any of them since the last step, those alone can be in it that were. Calm ones come
-    last: `entry`, that of the kinematic shapes' index, says how many those are.
+    last: `entry`, that of the kinematic shapes' index, says how many those are; none where more balls are to be asked.
     """
     count, found, busy = int(state["shapes"]), 0, 0
-    few, duration, substeps = state["balls"] <= FEW_TO_ASK, substep_length(state), int(state["substeps"])
+    duration, substeps = substep_length(state), int(state["substeps"])
     changed = state["moving_stale"] != 0
     begin, end = (int(state["fixed"]), count) if changed else (count, count + int(state["movers"]))
     for k in range(begin, end):
@@ -82,13 +82,13 @@ def list_restless(state: StateRow, shapes: Table[ShapeRow], order: Table[int], e
         # What is not where numbers reach is listed too: the step is refused for it.
         if not (is_at_rest(shape) and is_in_reach(shape)):
             order[count + found] = row
-            if not few or not is_calm(shape, duration, substeps):
+            if not is_calm(shape, duration, substeps):
                 order[count + found] = order[count + busy]
                 order[count + busy] = row
                 busy += 1
             found += 1
     state["movers"] = found
-    entry["calm"] = found - busy
+    entry["calm"] = found - busy if state["balls"] <= max(FEW_TO_ASK, found - busy) else 0
 
 
 def look_at_balls(

@@ -89,8 +89,9 @@ def move_shapes(
     that has come in the last substep where `move_to` sent it rests first. `entry` is that of the shapes' index.
     """
     moved = False
-    few = state["balls"] <= FEW_TO_ASK and state["sleeping"] == 0 and state["substep"] + 1 < state["substeps"]
-    around = box_of_ways(state, balls, duration) if few else EVERYWHERE
+    asked = state["sleeping"] == 0 and state["substep"] + 1 < state["substeps"]
+    few = asked and state["balls"] <= FEW_TO_ASK
+    around = box_of_ways(state, balls, duration) if few or (asked and entry["calm"] > 0) else EVERYWHERE
     left_alone = leave_alone(state, shapes, order, entry, around, duration)
     # Parts of a compound turn alike, but stand among others by their kinds.
     last, second, third = UNTURNED, UNTURNED, UNTURNED
