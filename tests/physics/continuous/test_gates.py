@@ -4,7 +4,7 @@ from math import sqrt
 
 import pytest
 
-from carom import Ball, Gate
+from carom import Ball, Gate, Segment
 from tests.worlds import continuous_world
 
 
@@ -31,6 +31,15 @@ def test_a_ball_that_rose_through_a_gate_lands_on_it() -> None:
     ball = world.add(Ball((0, -1), 0.25, velocity=(0, sqrt(2 * 10 * 1.5)), elasticity=0.5))
     assert len(world.run(5)) > 0
     assert ball.position == pytest.approx((0, 0.25), abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", [Gate, Segment])
+def test_a_ball_that_slides_off_a_gate_falls_as_off_any_other_wall(kind: type[Segment]) -> None:
+    ways = {"direction": (0, 1)} if kind is Gate else {}
+    world = continuous_world(kind((-2, 0), (2, 0), **ways), gravity=(0, -10))
+    ball = world.add(Ball((0, 0.25), 0.25, velocity=(1, 0), elasticity=0.0))
+    world.run(3.0)
+    assert ball.position == pytest.approx((3.0, 0.25 - 5.0))
 
 
 @pytest.mark.parametrize("spin", [3.0, 100.0])

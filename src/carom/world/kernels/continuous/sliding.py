@@ -15,10 +15,10 @@ from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, larger, length, rotated, smaller
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
-from carom.rows.kinds import bend_center, has_ends
+from carom.rows.kinds import bend_center, has_ends, is_straight
 from carom.rows.pose import is_moving
 from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
-from carom.rows.shape import ARC, SEGMENT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import friction_of, place_after
@@ -328,7 +328,7 @@ def slide_time(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRo
 
 def time_to_end(ball: BallRow, flight: FlightRow, shape: ShapeRow) -> tuple[float, bool]:
     """When a ball comes to an end of a straight shape that does not turn, and True; infinite and False if never."""
-    if shape["kind"] != SEGMENT:
+    if not is_straight(shape["kind"]):
         return inf, False
     px, py, ux, uy = frame_at(shape, age_of_motion(shape, flight))
     dx, dy = float(ball["x"]) - px, float(ball["y"]) - py
@@ -376,7 +376,7 @@ def is_held(
 def past_end(shape: ShapeRow, x: float, y: float) -> float:
     """How far a place is past an end of a segment or arc, seen as it stands; below 0 where it is beside it."""
     ax, ay, bx, by = float(shape["ax"]), float(shape["ay"]), float(shape["bx"]), float(shape["by"])
-    if shape["kind"] != ARC:
+    if is_straight(shape["kind"]):
         tx, ty = float(shape["tx"]), float(shape["ty"])
         along = dot(x - ax, y - ay, tx, ty)
         return -smaller(along, float(shape["length"]) - along)
