@@ -75,6 +75,14 @@ def test_the_page_names_every_file_that_deals_with_kinds_and_no_other() -> None:
     assert named_on_the_page() - {"geometry/<kind>.py"} == files_that_deal_with_kinds()
 
 
+def test_the_page_counts_what_it_lists() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    always, some = (len(re.findall(rf"^{mark} \*\*`", text, re.MULTILINE)) for mark in (r"\d+\.", "-"))
+    assert (always, some) == (17, 5)
+    assert "\nSeventeen files at most" in text
+    assert "then five that some kinds need" in text
+
+
 @pytest.mark.parametrize(
     ("text", "deals"),
     [

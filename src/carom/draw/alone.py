@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import atan2, pi
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -11,20 +10,19 @@ from carom.draw.paint.painter import Style
 from carom.draw.parts.layers import Layer
 from carom.draw.parts.looks import Look, look_of
 from carom.draw.parts.moment import Balls, Drawn, Measures, Moment
+from carom.draw.parts.outlines import part_near
 from carom.draw.parts.panel import Panel
 from carom.draw.picture import box_around, composed, drawn_of
 from carom.draw.theme import BALL_INKS
 from carom.record.members import parts
 from carom.rows.hit import BOUNCE, HIT
 from carom.shapes.aabb import Aabb
-from carom.shapes.arc import Arc
 from carom.shapes.ball import Ball
 from carom.shapes.circle import Circle
 from carom.shapes.compound import Compound
 from carom.shapes.detection import Contact
 from carom.shapes.group import Group
 from carom.shapes.label import name_of
-from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
@@ -83,27 +81,6 @@ def picture_of_contact(contact: Contact) -> Picture:
         near = part_near(met, contact.point, REACH * ball.radius)
         still.insert(0, Drawn(near, look_of(met, frozenset()), len(still)))
     return picture(panel, tuple(still), balls, box, row, OF_CONTACT)
-
-
-def part_near(shape: Shape, point: tuple[float, float], reach: float) -> Shape:
-    """What of a shape is no farther from a point of it than `reach`, along a line; of a round one, along its arc."""
-    x, y = point
-    if isinstance(shape, Segment):
-        (start_x, start_y), (dx, dy) = shape.p0, shape.t0
-        along = (x - start_x) * dx + (y - start_y) * dy
-        low, high = max(0.0, along - reach), min(shape.length, along + reach)
-        if low >= high:
-            return shape
-        return Segment((start_x + low * dx, start_y + low * dy), (start_x + high * dx, start_y + high * dy))
-    if isinstance(shape, Circle | Arc) and shape.radius > reach:
-        along, turn = atan2(y - shape.center[1], x - shape.center[0]), reach / shape.radius
-        low, high = along - turn, along + turn
-        if isinstance(shape, Arc):
-            begin, sweep = shape.start_angle, (shape.end_angle - shape.start_angle) % (2.0 * pi)
-            along = (along - begin) % (2.0 * pi)
-            low, high = begin + max(0.0, along - turn), begin + min(sweep, along + turn)
-        return Arc(shape.center, shape.radius, low, high) if low < high else shape
-    return shape
 
 
 def picture(

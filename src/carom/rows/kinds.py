@@ -10,9 +10,8 @@ from __future__ import annotations
 from math import inf
 
 from carom.geometry.arc import in_sector
-from carom.geometry.entry import depth_on_entry_arc, depth_on_entry_segment
 from carom.geometry.figures import ArcGeometry, CircleGeometry, SegmentGeometry
-from carom.geometry.gap import gap_circle, gap_segment
+from carom.geometry.gap import depth_on_entry_arc, depth_on_entry_segment, gap_circle, gap_segment
 from carom.geometry.overlap import overlap_arc, overlap_circle, overlap_gate, overlap_point, overlap_segment
 from carom.geometry.reach import in_wide_sector
 from carom.geometry.vector import dot, length

@@ -8,8 +8,8 @@ from carom.geometry.aabb import box_contains
 from carom.geometry.arc import closest_on_arc, in_sector
 from carom.geometry.boxes import box_meets_arc, box_meets_circle, box_meets_segment
 from carom.geometry.circle import closest_on_disc
-from carom.geometry.crossing import crosses_arc, crosses_circle, crosses_segment
 from carom.geometry.line import closest_on_segment, distance_to_segment
+from carom.geometry.ray import crosses_arc, crosses_circle, crosses_segment
 from carom.geometry.vector import cross, length
 from carom.rows.kinds import arc_of, circle_of, is_straight, segment_of
 from carom.rows.shape import ARC, CIRCLE, POINT, ShapeRow

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,17 +13,21 @@ from numpy.typing import NDArray
 from carom.checks import refuse
 from carom.constants import JOINT_GAP, TWO_PI
 from carom.rows.hit import EXIT
+from carom.rows.kinds import has_ends, has_side, is_straight
 from carom.rows.tables import Rows
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
-from carom.shapes.segment import Segment
+from carom.shapes.shape import Shape
 
 if TYPE_CHECKING:
+    from carom.shapes.arc import Arc
+    from carom.shapes.circle import Circle
+    from carom.shapes.segment import Segment
     from carom.typing import Vector
     from carom.world.hits import Hits
     from carom.world.world import World
 
-#: What an outline is made of, told where something else was given.
+#: What an outline is made of.
+Wall: TypeAlias = "Segment | Arc | Circle"
+#: The same, told where something else was given.
 PIECES = "must be a Segment, an Arc or a Circle of the world of the hits"
 
 
@@ -45,18 +49,18 @@ class Boundary(NamedTuple):
 class Piece:
     """A shape of an outline, and whether the outline goes along it from its first end to the second."""
 
-    shape: Segment | Arc | Circle
+    shape: Wall
     forward: bool
 
     @property
     def begin(self) -> Vector:
         """Where the outline comes to it."""
-        return _ends(self.shape)[0 if self.forward else 1]
+        return ends_of(self.shape)[0 if self.forward else 1]
 
     @property
     def end(self) -> Vector:
         """Where the outline leaves it."""
-        return _ends(self.shape)[1 if self.forward else 0]
+        return ends_of(self.shape)[1 if self.forward else 0]
 
 
 class Track:
@@ -72,8 +76,8 @@ class Track:
         shapes = [piece.shape for piece in pieces]
         self._ids = np.array([shape.id for shape in shapes])
         self._lengths = np.array([shape.length for shape in shapes])
-        self._straight = np.array([isinstance(shape, Segment) for shape in shapes])
-        self._measures = np.array([_measures(shape) for shape in shapes]).T
+        self._straight = np.array([is_straight(shape._row["kind"]) for shape in shapes])
+        self._measures = np.array([measures_of(shape) for shape in shapes]).T
         forward = np.array([piece.forward for piece in pieces])
         # A piece that is gone along backwards begins at its far end.
         self._begins = np.cumsum([0.0, *self._lengths[:-1]]) + np.where(forward, 0.0, self._lengths)
@@ -121,11 +125,22 @@ def boundary_of(hits: Hits, outline: Any) -> Boundary:
     return Boundary(found, *track.coordinates(found.view(np.ndarray), places if on.all() else places[on]))
 
 
-def _measures(shape: Segment | Arc | Circle) -> tuple[float, float, float, float]:
-    """What hits on a shape are measured by: see `Track`."""
-    if isinstance(shape, Segment):
-        return *shape.p0, *shape.t0
-    return *shape.center, shape.radius, shape.start_angle if isinstance(shape, Arc) else 0.0
+def measures_of(shape: Wall) -> tuple[float, float, float, float]:
+    """What places on a shape are measured by: see `Track`."""
+    row = shape._row
+    if is_straight(row["kind"]):
+        return float(row["ax"]), float(row["ay"]), float(row["tx"]), float(row["ty"])
+    first = float(row["start_angle"]) if has_ends(row["kind"]) else 0.0
+    return float(row["cx"]), float(row["cy"]), float(row["radius"]), first
+
+
+def ends_of(shape: Wall) -> tuple[Vector, Vector]:
+    """The ends of a shape; of a circle, which has none, twice the place at angle 0."""
+    row = shape._row
+    if not has_ends(row["kind"]):
+        x, y = float(row["cx"]), float(row["cy"])
+        return (x + float(row["radius"]), y), (x + float(row["radius"]), y)
+    return (float(row["ax"]), float(row["ay"])), (float(row["bx"]), float(row["by"]))
 
 
 def _parts_along(
@@ -143,38 +158,30 @@ def _pieces_of(world: World, outline: Any) -> list[Piece]:
     if isinstance(outline, (str, bytes)) or not isinstance(outline, Sequence) or len(outline) == 0:
         raise refuse("outline", "must be a list of shapes that join, in order", outline)
     for place, shape in enumerate(outline):
-        if not isinstance(shape, (Segment, Arc, Circle)) or shape.world is not world:
+        if not isinstance(shape, Shape) or not has_side(shape._row["kind"]) or shape.world is not world:
             raise refuse(f"outline[{place}]", PIECES, shape)
         if shape in outline[:place]:
             raise refuse(f"outline[{place}]", "must not be in it twice", shape)
-        if isinstance(shape, Circle) and len(outline) > 1:
+        if not has_ends(shape._row["kind"]) and len(outline) > 1:
             raise refuse(f"outline[{place}]", "must be the only one, for a circle joins no other shape", shape)
     gap = JOINT_GAP * sum(shape.length for shape in outline)
     pieces = [Piece(outline[0], _goes_forward(outline, gap))]
     for place, shape in enumerate(outline[1:], 1):
         here = pieces[-1].end
-        forward = _is_near(here, _ends(shape)[0], gap)
-        if not forward and not _is_near(here, _ends(shape)[1], gap):
+        forward = _is_near(here, ends_of(shape)[0], gap)
+        if not forward and not _is_near(here, ends_of(shape)[1], gap):
             raise refuse(f"outline[{place}]", f"must begin or end where outline[{place - 1}] ends, at {here}", shape)
         pieces.append(Piece(shape, forward))
     return pieces
 
 
-def _goes_forward(outline: Sequence[Segment | Arc | Circle], gap: float) -> bool:
+def _goes_forward(outline: Sequence[Wall], gap: float) -> bool:
     """Whether an outline goes along its first shape from that one's first end on; so it does where both would do."""
     if len(outline) == 1:
         return True
-    first, second = _ends(outline[0])
-    ends = _ends(outline[1])
+    first, second = ends_of(outline[0])
+    ends = ends_of(outline[1])
     return any(_is_near(second, end, gap) for end in ends) or not any(_is_near(first, end, gap) for end in ends)
-
-
-def _ends(shape: Segment | Arc | Circle) -> tuple[Vector, Vector]:
-    """The ends of a shape; of a circle, which has none, twice the place at angle 0."""
-    if isinstance(shape, Circle):
-        x, y = shape.center
-        return (x + shape.radius, y), (x + shape.radius, y)
-    return shape.p0, shape.p1
 
 
 def _is_near(a: Vector, b: Vector, gap: float) -> bool:

@@ -1,6 +1,5 @@
 """Shapes, balls and contacts draw themselves: what they are, where they touch, and their numbers."""
 
-from math import atan2, cos, pi, sin
 from xml.etree import ElementTree
 
 import pytest
@@ -8,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import carom
-from carom.draw.alone import part_near, picture_alone
+from carom.draw.alone import picture_alone
 from carom.draw.parts.layers import Layer
 from tests.unit.draw.svg_marks import marks_of
 
@@ -95,25 +94,3 @@ def test_a_contact_shows_what_met_where_it_touches_and_the_normal(met: carom.Sha
         assert box.right <= stage.right
         assert stage.bottom <= box.bottom
         assert box.top <= stage.top
-
-
-@given(st.floats(-8.0, 8.0), st.floats(0.3, 20.0), st.floats(0.0, 6.2), st.floats(0.1, 6.2))
-def test_what_is_near_a_point_is_a_part_that_holds_it(x: float, radius: float, start: float, sweep: float) -> None:
-    along = min(max(x, 0.0), 10.0)
-    near = part_near(WALL, (along, 0.0), 1.5)
-    assert isinstance(near, carom.Segment)
-    assert near.p0[0] == pytest.approx(max(0.0, along - 1.5))
-    assert near.p1[0] == pytest.approx(min(10.0, along + 1.5))
-    arc = carom.Arc((1.0, 2.0), radius, start, start + sweep)
-    angle = start + 0.4 * sweep
-    point = (1.0 + radius * cos(angle), 2.0 + radius * sin(angle))
-    part = part_near(arc, point, 1.5)
-    assert isinstance(part, carom.Arc)
-    assert part.distance(point) < 1e-6
-    assert part.length <= min(arc.length, 3.0 if radius > 1.5 else arc.length) + 1e-6
-    assert all(arc.distance(end) < 1e-6 for end in (part.p0, part.p1))
-    whole = part_near(carom.Circle((1.0, 2.0), radius), point, 1.5)
-    if radius > 1.5:
-        assert isinstance(whole, carom.Arc)
-        middle = 0.5 * (whole.start_angle + (whole.end_angle - whole.start_angle) % (2.0 * pi) + whole.start_angle)
-        assert abs(atan2(sin(middle - angle), cos(middle - angle))) < 1e-6

@@ -156,7 +156,7 @@ MISSES: dict[str, tuple[Callable[..., Any], tuple[Any, ...], Any]] = {
 WRITERS = {"derive", "pose_by", "_shift", "_turn"}
 #: What they do with an unknown kind is what they do with most: a ball slides along it for a part of the substep, and
 #: it is a wall, if a point is on it; having arrived, it is everywhere.
-INDIFFERENT = {"time_to_end", "past_end", "leave_points", "is_walked_over", "is_on_wall_of", "_arrive"}
+INDIFFERENT = {"time_to_end", "past_end", "_arrive"}
 
 
 @KINDS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import atan2, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -130,3 +130,24 @@ def anchor(shape: Shape) -> Vector:
     """The place of a shape that its name stands beside: its middle, inside of a solid circle."""
     middle = middle_of(shape)
     return shape.position if middle is None or (isinstance(shape, Circle) and shape.solid) else middle[0]
+
+
+def part_near(shape: Shape, point: Vector, reach: float) -> Shape:
+    """What of a shape is no farther from a point of it than `reach`, along a line; of a round one, along its arc."""
+    x, y = point
+    if isinstance(shape, Segment):
+        (start_x, start_y), (dx, dy) = shape.p0, shape.t0
+        along = (x - start_x) * dx + (y - start_y) * dy
+        low, high = max(0.0, along - reach), min(shape.length, along + reach)
+        if low >= high:
+            return shape
+        return Segment((start_x + low * dx, start_y + low * dy), (start_x + high * dx, start_y + high * dy))
+    if isinstance(shape, Circle | Arc) and shape.radius > reach:
+        along, turn = atan2(y - shape.center[1], x - shape.center[0]), reach / shape.radius
+        low, high = along - turn, along + turn
+        if isinstance(shape, Arc):
+            begin, sweep = shape.start_angle, (shape.end_angle - shape.start_angle) % (2.0 * pi)
+            along = (along - begin) % (2.0 * pi)
+            low, high = begin + max(0.0, along - turn), begin + min(sweep, along + turn)
+        return Arc(shape.center, shape.radius, low, high) if low < high else shape
+    return shape

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple, TypeVar
 from carom.checks import flag, positive, refuse
 from carom.constants import HALF_PI, LEAST_TOLERANCE, STRAIGHT_TURN
 from carom.geometry.angle import normalize_angle
-from carom.shapes.arc import Arc
+from carom.rows.shape import KIND_NAMES
+from carom.shapes import SHAPE_CLASSES
 from carom.shapes.guard import guard_points
 from carom.shapes.outlines.bow import Bow, largest_radius
-from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.spelling import spelled
 from carom.typing import Vector
@@ -93,8 +93,8 @@ def tolerance_in(frame: Frame, tolerance: Any, size: float) -> float:
 
 def walled(bows: Iterable[Bow], tolerance: float, frame: Frame, guard: Any, options: ShapeOptions) -> list[Shape]:
     """The segments and arcs for a chain of arcs that was reckoned in a frame, and the points that they need."""
-    kinds: dict[str, Any] = {"segment": Segment, "arc": Arc}
-    return guarded([kinds[kind](**geometry, **options) for kind, geometry in figures(bows, tolerance, frame)], guard)
+    classes: dict[str, Any] = {KIND_NAMES[code]: made for code, made in SHAPE_CLASSES.items()}
+    return guarded([classes[kind](**geometry, **options) for kind, geometry in figures(bows, tolerance, frame)], guard)
 
 
 def figures(bows: Iterable[Bow], tolerance: float, frame: Frame) -> list[Figure]:

@@ -16,14 +16,12 @@ from numpy.typing import NDArray
 
 from carom.checks import refuse
 from carom.constants import JOINT_GAP
+from carom.rows.kinds import has_ends, is_straight
 from carom.scene.scene import Scene
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
-from carom.shapes.segment import Segment
 from carom.typing import Vector
+from carom.world.boundary import Wall, ends_of, measures_of
 
 Floats: TypeAlias = NDArray[np.float64]
-Wall: TypeAlias = Segment | Arc | Circle
 
 #: Looks along each piece of an outline when it is seen whether two loops cross.
 LOOKS = 32
@@ -39,23 +37,18 @@ class Piece(NamedTuple):
     @property
     def ends(self) -> tuple[Vector, Vector]:
         """Where the loop comes to it and where it leaves it; of a circle, twice the place at angle 0."""
-        wall = self.wall
-        if isinstance(wall, Circle):
-            (x, y), radius = wall.center, wall.radius
-            return (x + radius, y), (x + radius, y)
-        return (wall.p0, wall.p1) if self.forward else (wall.p1, wall.p0)
+        first, second = ends_of(self.wall)
+        return (first, second) if self.forward else (second, first)
 
     @property
     def area(self) -> float:
         """Its part of the loop's area by Green's theorem, half the integral of x dy - y dx along it."""
         wall = self.wall
-        if isinstance(wall, Circle):
-            return 0.5 * wall.radius * wall.length
-        (ax, ay), (bx, by) = wall.p0, wall.p1
-        if isinstance(wall, Segment):
+        (ax, ay), (bx, by) = ends_of(wall)
+        if is_straight(wall._row["kind"]):
             twice = ax * by - bx * ay
         else:
-            (x, y), radius = wall.center, wall.radius
+            x, y, radius, _first = measures_of(wall)
             twice = x * (by - ay) - y * (bx - ax) + radius * wall.length
         return 0.5 * twice if self.forward else -0.5 * twice
 
@@ -64,12 +57,14 @@ class Piece(NamedTuple):
         wall = self.wall
         way = 1.0 if self.forward else -1.0
         from_first = along if self.forward else wall.length - along
-        if isinstance(wall, Segment):
-            tangent = np.array(wall.t0)
-            return np.array(wall.p0) + from_first[:, None] * tangent, np.tile(way * tangent, (len(along), 1))
-        angle = (wall.start_angle if isinstance(wall, Arc) else 0.0) + from_first / wall.radius
+        x, y, *rest = measures_of(wall)
+        if is_straight(wall._row["kind"]):
+            tangent = np.array(rest)
+            return np.array((x, y)) + from_first[:, None] * tangent, np.tile(way * tangent, (len(along), 1))
+        radius, first = rest
+        angle = first + from_first / radius
         out = np.column_stack((np.cos(angle), np.sin(angle)))
-        return np.array(wall.center) + wall.radius * out, way * np.column_stack((-out[:, 1], out[:, 0]))
+        return np.array((x, y)) + radius * out, way * np.column_stack((-out[:, 1], out[:, 0]))
 
 
 class Loop(NamedTuple):
@@ -92,17 +87,16 @@ class Loop(NamedTuple):
         inside = np.zeros(np.shape(x), np.bool_)
         for piece in self.pieces:
             wall, ((ax, ay), (bx, by)) = piece.wall, piece.ends
-            if not isinstance(wall, Segment):
-                (cx, cy), radius = wall.center, wall.radius
-                disc = (x - cx) * (x - cx) + (y - cy) * (y - cy) < radius * radius
-            if isinstance(wall, Circle):
-                inside ^= disc
-                continue
             if ay != by:
                 inside ^= ((ay > y) != (by > y)) & (x < ax + (bx - ax) / (by - ay) * (y - ay))
-            if isinstance(wall, Arc):
-                (px, py), (qx, qy) = wall.p0, wall.p1
-                inside ^= disc & ((qx - px) * (y - py) - (qy - py) * (x - px) < 0.0)
+            if is_straight(wall._row["kind"]):
+                continue
+            cx, cy, radius, _first = measures_of(wall)
+            disc = (x - cx) * (x - cx) + (y - cy) * (y - cy) < radius * radius
+            if has_ends(wall._row["kind"]):
+                (px, py), (qx, qy) = ends_of(wall)
+                disc &= (qx - px) * (y - py) - (qy - py) * (x - px) < 0.0
+            inside ^= disc
         return inside
 
     def looks(self) -> tuple[Floats, Floats]:
@@ -114,13 +108,13 @@ class Loop(NamedTuple):
 
 def loops_of(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> tuple[Loop, ...]:
     """The loops that the walls of a table make, the outer one first; raises where they make no table."""
-    circles = [Loop((Piece(place, wall, True),)) for place, wall in walls if isinstance(wall, Circle)]
-    bare = [(place, wall) for place, wall in walls if not isinstance(wall, Circle)]
+    circles = [Loop((Piece(place, wall, True),)) for place, wall in walls if not has_ends(wall._row["kind"])]
+    bare = [(place, wall) for place, wall in walls if has_ends(wall._row["kind"])]
     loops = sorted([*circles, *_joined(scene, bare)], key=lambda loop: -loop.area)
     if not loops:
         raise refuse("scene", "must have walls that close a table", scene.name)
     first = loops[0].pieces[0].wall
-    if isinstance(first, Circle) and first.solid:
+    if first._row["solid"]:
         raise refuse("scene", f"must be a closed table; {named(scene, loops[0].pieces[0].place)} is solid", scene.name)
     for number, island in enumerate(loops[1:], 1):
         x, y = island.looks()
@@ -135,7 +129,7 @@ def loops_of(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> tuple[Loop, ...
     return tuple(loops)
 
 
-def _joined(scene: Scene, walls: Sequence[tuple[int, Segment | Arc]]) -> list[Loop]:
+def _joined(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> list[Loop]:
     """The loops of segments and arcs, every end of which must meet one other."""
     partner = _partners(scene, walls)
     loops: list[Loop] = []
@@ -165,9 +159,9 @@ def _turned(chain: list[Piece]) -> Loop:
     return Loop(tuple(chain))
 
 
-def _partners(scene: Scene, walls: Sequence[tuple[int, Segment | Arc]]) -> list[int]:
+def _partners(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> list[int]:
     """For each end of the walls, two of each, the number of the end that it joins; raises unless that is one."""
-    ends = [end for _, wall in walls for end in (wall.p0, wall.p1)]
+    ends = [end for _, wall in walls for end in ends_of(wall)]
     gap = JOINT_GAP * sum(wall.length for _, wall in walls)
     order = sorted(range(len(ends)), key=lambda number: ends[number])
     found: list[list[int]] = [[] for _ in ends]

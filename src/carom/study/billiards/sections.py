@@ -9,15 +9,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.checks import array, refuse, whole
+from carom.rows.kinds import is_straight
 from carom.scene.scene import Scene
 from carom.scene.shape_descriptors import SegmentDescriptor
 from carom.shapes.segment import Segment
+from carom.shapes.shape import Shape
 from carom.spelling import spelled
 from carom.study.billiards.ensembles import Batch, Numbers, batches
 from carom.study.billiards.maps import MOST_BINS, MOST_HITS, Density, density_of
 from carom.study.billiards.outline import Floats
 from carom.study.billiards.tables import Table, table
 from carom.typing import Vector
+from carom.world.boundary import ends_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,8 +115,8 @@ def _ends(room: Table, cut: Segment | str | ArrayLike) -> tuple[Vector, Vector]:
         if len(named) != 1:
             raise refuse("cut", "must be the name of one segment in the scene", cut)
         return named[0].start, named[0].end
-    if isinstance(cut, Segment):
-        return cut.p0, cut.p1
+    if isinstance(cut, Shape) and is_straight(cut._row["kind"]):
+        return ends_of(cut)
     (ax, ay), (bx, by) = array("cut", cut, (2, 2)).tolist()
     if (ax, ay) == (bx, by):
         raise refuse("cut", "must have two ends apart", cut)

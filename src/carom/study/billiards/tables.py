@@ -22,10 +22,11 @@ from carom.scene.shape_descriptors import (
     SegmentDescriptor,
 )
 from carom.spelling import spelled
-from carom.study.billiards.outline import Floats, Loop, Piece, Wall, loops_of, named
+from carom.study.billiards.outline import Floats, Loop, Piece, loops_of, named
 
 if TYPE_CHECKING:
     from carom.world import World
+    from carom.world.boundary import Wall
 
 #: Radius of the balls that stand for points, in the table's size: the greatest coordinate, or the root of its area. So
 #: small that no statistical error sees it, so large that walls which join leave no gap for it.

@@ -24,12 +24,9 @@ import numpy as np
 
 from carom.checks import refuse
 from carom.record.members import parts
+from carom.rows.kinds import is_round, is_straight
 from carom.rows.shape import Motion
 from carom.rows.tables import Rows
-from carom.shapes.arc import Arc
-from carom.shapes.circle import Circle
-from carom.shapes.point import Point
-from carom.shapes.segment import Segment
 from carom.shapes.shape import Shape
 from carom.study.billiards.ensembles import Numbers
 from carom.study.billiards.outline import Floats
@@ -79,11 +76,12 @@ def walls_of(world: World, name: str) -> Walls:
 
 def _row_of(wall: Shape, name: str) -> tuple[float, ...]:
     """The numbers of a wall: its id, radius, centre, pivot, travel and turn; raises as `walls_of` does."""
-    if not isinstance(wall, (Point, Segment, Arc, Circle)):
+    row = wall._row
+    if not (is_straight(row["kind"]) or is_round(row["kind"])):
         raise refuse(name, "must have walls that are points, segments, arcs and circles", wall)
     if wall.elasticity != 1.0 or wall.kick != 0.0 or wall.once:
         raise refuse(name, "must have walls of elasticity 1 that stay and do not kick", wall)
-    radius = wall.radius if isinstance(wall, (Arc, Circle)) else 0.0 if isinstance(wall, Point) else np.inf
+    radius = np.inf if is_straight(row["kind"]) else float(row["radius"])
     stands = (float(wall.id or 0), radius, *wall.position, *wall.pivot)
     if wall.motion != Motion.KINEMATIC:
         return (*stands, 0.0, 0.0, 0.0)

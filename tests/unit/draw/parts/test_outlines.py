@@ -1,9 +1,11 @@
 """How each kind of shape is drawn: its outline, its sign, and where marks stand at it."""
 
 import re
-from math import hypot
+from math import atan2, cos, hypot, pi, sin
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import carom
 from carom.draw.page.painter import PagePainter
@@ -17,6 +19,7 @@ from carom.draw.parts.outlines import (
     glow_mark,
     has_sector,
     middle_of,
+    part_near,
     sector_mark,
     shape_mark,
     tangents_of,
@@ -139,3 +142,26 @@ def test_a_sector_is_an_arcs_area_between_its_radii() -> None:
     assert all(arc.distance(corner) == pytest.approx(0.0, abs=1e-12) for corner in corners[1:])
     sector_mark(painter, carom.Circle((1, 2), 3))
     assert len(painter.layers[""]) == 3
+
+
+@given(st.floats(-8.0, 8.0), st.floats(0.3, 20.0), st.floats(0.0, 6.2), st.floats(0.1, 6.2))
+def test_what_is_near_a_point_is_a_part_that_holds_it(x: float, radius: float, start: float, sweep: float) -> None:
+    wall = carom.Segment((0, 0), (10, 0))
+    along = min(max(x, 0.0), 10.0)
+    near = part_near(wall, (along, 0.0), 1.5)
+    assert isinstance(near, carom.Segment)
+    assert near.p0[0] == pytest.approx(max(0.0, along - 1.5))
+    assert near.p1[0] == pytest.approx(min(10.0, along + 1.5))
+    arc = carom.Arc((1.0, 2.0), radius, start, start + sweep)
+    angle = start + 0.4 * sweep
+    point = (1.0 + radius * cos(angle), 2.0 + radius * sin(angle))
+    part = part_near(arc, point, 1.5)
+    assert isinstance(part, carom.Arc)
+    assert part.distance(point) < 1e-6
+    assert part.length <= min(arc.length, 3.0 if radius > 1.5 else arc.length) + 1e-6
+    assert all(arc.distance(end) < 1e-6 for end in (part.p0, part.p1))
+    whole = part_near(carom.Circle((1.0, 2.0), radius), point, 1.5)
+    if radius > 1.5:
+        assert isinstance(whole, carom.Arc)
+        middle = 0.5 * (whole.start_angle + (whole.end_angle - whole.start_angle) % (2.0 * pi) + whole.start_angle)
+        assert abs(atan2(sin(middle - angle), cos(middle - angle))) < 1e-6

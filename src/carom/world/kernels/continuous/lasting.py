@@ -21,12 +21,12 @@ from carom.constants import (
 from carom.geometry.vector import cross, dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
-from carom.rows.kinds import bend_center
+from carom.rows.kinds import bend_center, has_side
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
-from carom.rows.shape import POINT, ShapeRow
+from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.continuous.flight import add_friction, fall_freely, friction_of
@@ -208,7 +208,7 @@ def leave_points(
         on_wall = False
         if relations[place]["kind"] == LASTING:  # of the other kinds, what they are with may be a ball
             shape = shapes[relations[place]["other"]]
-            on_wall = shape["kind"] == POINT and is_on_wall_of(ball, flight, shape, shapes, relations)
+            on_wall = not has_side(shape["kind"]) and is_on_wall_of(ball, flight, shape, shapes, relations)
         if on_wall:
             place = drop_relation(state, relations, ball, place, before)
         else:
@@ -223,7 +223,7 @@ def is_walked_over(
 
     Balls that lie on others keep to a wall less closely, and may come onto its point before.
     """
-    if shape["kind"] != POINT or ball["relation"] == NO_RELATION or has_kind(relations, ball, LYING):
+    if has_side(shape["kind"]) or ball["relation"] == NO_RELATION or has_kind(relations, ball, LYING):
         return False
     return is_on_wall_of(ball, flight, shape, shapes, relations)
 
@@ -235,7 +235,7 @@ def is_on_wall_of(
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     place = int(ball["relation"])
     while place != NO_RELATION:
-        if relations[place]["kind"] == LASTING and shapes[relations[place]["other"]]["kind"] != POINT:
+        if relations[place]["kind"] == LASTING and has_side(shapes[relations[place]["other"]]["kind"]):
             wall = shapes[relations[place]["other"]]
             px, py = x, y
             qx, qy = float(point["cx"]), float(point["cy"])
