@@ -127,7 +127,7 @@ class Spelled:
 
         def __setattr__(self, name: str, value: Any) -> None:
             kind = type(self)
-            if not hasattr(kind, name) and not name.startswith("_") and "_SPELLED" in kind.__dict__:
+            if not name.startswith("_") and not hasattr(kind, name) and "_SPELLED" in kind.__dict__:
                 raise _unknown(name, f"attribute of a {kind.__name__}", _settable(kind))
             try:
                 _set(self, name, value)

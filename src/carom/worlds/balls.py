@@ -111,7 +111,14 @@ class CopiesOfBalls:
         To take one out is to remove it from its world: a sensor that it was inside of gives an `EXIT`. One that is put
         in is where its row says, awake. The change acts at the next step; it takes a copy some tenths of a millisecond.
         """
-        return self._worlds._common.memory.in_play
+        return having(self._worlds, self._lent_mask)
+
+    def _lent_mask(self) -> NDArray[np.bool_]:
+        """The mask, with all copies to itself."""
+        worlds = self._worlds
+        if worlds._in_play is None:
+            worlds._in_play = worlds._common.memory.in_play.copy()
+        return worlds._common.memory.in_play
 
     @property
     def asleep(self) -> NDArray[np.bool_]:

@@ -165,6 +165,20 @@ def wake_changed(memory: Memory, lent: Rows) -> None:
     note_changed(memory.state, changed & matters)
 
 
+def chosen(name: str, where: Any, count: int) -> NDArray[Any]:
+    """A mask or indices of copies; raises where it is neither."""
+    given = np.asarray(where)
+    if given.dtype.kind == "b" and given.shape == (count,):
+        return given
+    must = f"must be a mask of shape ({count},), or whole numbers from {-count} to {count - 1}"
+    if given.dtype.kind not in "iu" and given.size:
+        raise refuse(name, must, where)
+    indices = given.astype(np.int64).reshape(-1)
+    if len(indices) and not (-count <= indices.min() and indices.max() < count):
+        raise refuse(name, must, where)
+    return indices
+
+
 def packed(parts: list[bytes], counts: NDArray[np.int64]) -> bytes:
     """The snapshot of all copies: a line, a hash, and arrays."""
     file = io.BytesIO()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from struct import Struct
 from threading import Event
 from typing import Any
 
@@ -16,6 +17,7 @@ from carom.rows.copies import JOB, LACKS_HITS, LACKS_MEMORY, STEP_DUE, TAKE, Job
 from carom.rows.hit import HIT_ROW
 from carom.rows.state import CHANGED, DONE, HAS_STRAYS, PAUSE
 from carom.rows.tables import Rows
+from carom.shapes.table import word_of
 from carom.world.kernels.copies.carrying import put_copy, take_copy
 from carom.world.kernels.copies.stepping import step_copies
 from carom.world.removal import remove_rows
@@ -28,6 +30,10 @@ from carom.worlds.memory import Memory
 
 #: Steps that are made before there is a chance for Ctrl-C.
 CHUNK = 4096
+
+#: A job's row as its fields follow each other, and words of it: to set and read fields of a record takes far longer.
+WHOLE_JOB = Struct("".join("d" if JOB[name].kind == "f" else "q" for name in JOB.names or ()))
+NEXT, END, WRITTEN = (word_of(JOB, name) for name in ("next", "end", "written"))
 
 
 @dataclass
@@ -70,8 +76,11 @@ class Stage:
     def __init__(self, arrays: Arrays, common: Common) -> None:
         self.arrays = arrays
         self.common = common
-        self._jobs: Any = np.zeros(1, JOB)
-        self.job: JobRow = self._jobs[0]
+        jobs: Any = np.zeros(1, JOB)
+        self._jobs = jobs
+        self.job: JobRow = jobs[0]
+        self._octets, self._words = memoryview(jobs.view(np.uint8)), memoryview(jobs.view(np.int64))
+        self._are_compiled = False
         self._rows = np.zeros(64, HIT_ROW)
         self._copies = np.zeros(64, np.int64)
         self.arrange()
@@ -134,12 +143,13 @@ class Stage:
 
     def begin(self, first: int, last: int, steps: int, dt: float) -> None:
         """Begin a job: so many steps of the copies from the first to before the last."""
-        # In the order of a job's fields: to set them one by one takes NumPy several times as long.
-        self._jobs[0] = (
-            first, self._end_of_chunk(first, last, steps), last, TAKE, STEP_DUE, steps, dt, 0, self._block.address,
-            self.common.keep_hits, 0, 0,
+        if not self._are_compiled:
+            self._find_kernels()
+        WHOLE_JOB.pack_into(
+            self._octets, 0,
+            first, self._end_of_chunk(first, last, steps), last, TAKE, STEP_DUE, steps, dt, self._function,
+            self._block.address, self.common.keep_hits, 0, 0,
         )  # fmt: skip
-        self._find_kernels()
 
     @staticmethod
     def _end_of_chunk(first: int, last: int, steps: int) -> int:
@@ -147,23 +157,25 @@ class Stage:
         return min(first + max(1, CHUNK // max(1, steps)), last)
 
     def _find_kernels(self) -> None:
-        """Look which kernels are compiled by now."""
+        """Look which kernels are compiled by now; once both are, they stay so."""
         self._step = door.enter(STEP_KERNELS[self.arrays.states[0]["detection"]], step_size)
         self._loop = door.enter(step_copies, one_copy)
-        self.job["function"] = self._step.address if isinstance(self._step, At) else 0
+        self._function = self._step.address if isinstance(self._step, At) else 0
+        self._are_compiled = self._function != 0 and isinstance(self._loop, At)
 
     def work(self, stop: Event) -> bool:
         """True if the job is done, or was stopped; False where the memory lacks room: then it is to be called again."""
         while not stop.is_set():
             status = self._loop(self._loop_block)
             if status == DONE:
-                first, last = int(self.job["next"]), int(self.job["end"])
+                first, last = self._words[NEXT], self._words[END]
                 if first == last:
                     return True
                 self.job["last"] = self._end_of_chunk(first, last, int(self.job["steps"]))
             elif status == STEP_DUE:
                 self.job["status"] = self._step(self._block)
                 self._find_kernels()
+                self.job["function"] = self._function
             elif status == LACKS_MEMORY:
                 return False
             elif status != PAUSE:
@@ -197,7 +209,12 @@ class Stage:
         state = self.arrays.states[0]
         state["wake"] = max(state["wake"], CHANGED)
 
+    @property
+    def count(self) -> int:
+        """How many hits the job has given."""
+        return self._words[WRITTEN]
+
     def given(self) -> tuple[Rows, Rows]:
         """The hits of the job, and for each the index of its copy."""
-        count = int(self.job["written"])
+        count = self.count
         return self._rows[:count], self._copies[:count]

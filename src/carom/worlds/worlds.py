@@ -103,6 +103,8 @@ class Worlds(Spelled):
         self._turn = Turn()
         self._watcher: int | None = None
         self._crew = Crew(most)
+        self._shares = self._crew.shares(count)
+        self._no_hits = gathered(self._base, [])
         self._stages: list[Stage] = []
         self._pending: dict[int, Rows] = {}
         self._spare: World | None = None
@@ -111,7 +113,8 @@ class Worlds(Spelled):
         self._start = Memory(1, *sizes)
         self._start.words[0] = memory.words[0]
         memory.words[...] = self._start.words
-        self._in_play = memory.in_play.copy()
+        # As they were after the last step, since they were given to who may change them.
+        self._in_play: NDArray[np.bool_] | None = None
         self._lent: Rows | None = None
         self._owe_again(np.arange(count))
 
@@ -169,12 +172,10 @@ class Worlds(Spelled):
     def _advance(self, steps: int, dt: float) -> CopyHits:
         """The hits of a number of steps."""
         self._see_changes()
-        count = len(self)
-        shares = self._crew.shares(count)
-        while len(self._stages) < len(shares):
+        while len(self._stages) < len(self._shares):
             self._stage()
-        stages = self._stages[: len(shares)]
-        for stage, (first, last) in zip(stages, shares, strict=True):
+        stages = self._stages[: len(self._shares)]
+        for stage, (first, last) in zip(stages, self._shares, strict=True):
             stage.begin(first, last, steps, dt)
         try:
             while not self._crew.work(stages):
@@ -184,20 +185,24 @@ class Worlds(Spelled):
             # A stage may have a copy out: the memory still has it as it was.
             self._stages = []
             raise
-        self._in_play[...] = self._common.memory.in_play
-        parts = [stage.given() for stage in stages]
+        if self._in_play is not None:
+            self._in_play[...] = self._common.memory.in_play
+        hits = self._hits_of(stages)
+        if np.count_nonzero(self._common.faults):
+            self._tell_faults(hits)
+        return hits
+
+    def _hits_of(self, stages: Sequence[Stage]) -> CopyHits:
+        """The hits that stages have given, and those that were still to be given."""
+        parts = [stage.given() for stage in stages if stage.count]
         if self._pending and self._common.keep_hits:
             parts = [*((rows, np.full(len(rows), copy)) for copy, rows in self._pending.items()), *parts]
-        self._pending = {}
-        hits = gathered(self._base, parts)
-        self._tell_faults(hits)
-        return hits
+        self._pending.clear()
+        return gathered(self._base, parts) if parts else self._no_hits
 
     def _tell_faults(self, hits: CopyHits) -> None:
         """Raise where copies were refused in the last call, which is told once: one kind, with notes of the others."""
         faults, count = self._common.faults, len(self)
-        if not faults.any():
-            return
         errors: list[InvalidArgument | NonFiniteState | ImpactLimit] = []
         for status in (NOT_FINITE, REFUSED, TOO_MANY_IMPACTS):
             found = np.flatnonzero(faults == status)
@@ -255,19 +260,18 @@ class Worlds(Spelled):
         if self._lent is not None:
             keeping.wake_changed(memory, self._lent)
             self._lent = keeping.lent_columns(memory)
-        changed = self._in_play != memory.in_play
-        if changed.any():
-            for copy in np.flatnonzero(changed.any(axis=1)).tolist():
-                self._change_play(copy)
+        if self._in_play is not None:
+            for copy in np.flatnonzero((self._in_play != memory.in_play).any(axis=1)).tolist():
+                self._change_play(copy, self._in_play[copy])
 
     def _forget_lent(self) -> None:
         """Take the columns of the balls as they are now for what nobody has written to."""
         if self._lent is not None:
             self._lent = keeping.lent_columns(self._common.memory)
 
-    def _change_play(self, copy: int) -> None:
-        """Take balls out of play of one copy, and put others in, as the mask says that was written to."""
-        memory, before = self._common.memory, self._in_play[copy]
+    def _change_play(self, copy: int, before: NDArray[np.bool_]) -> None:
+        """Take balls out of play of one copy, and put others in, as the mask says now that was `before`."""
+        memory = self._common.memory
         after = memory.in_play[copy].copy()
         memory.in_play[copy] = before
         stage = self._out(copy)
@@ -282,7 +286,9 @@ class Worlds(Spelled):
         self._pending.pop(copy, None)
         if arrays.states[0]["hits"]:
             self._pending[copy] = arrays.hits[: arrays.states[0]["hits"]].copy()
-        self._common.memory.in_play[copy] = self._in_play[copy] = in_play
+        self._common.memory.in_play[copy] = in_play
+        if self._in_play is not None:
+            self._in_play[copy] = in_play
         while not stage.put(copy):
             self._resize(len(self._common.switched), 2 * int(arrays.states[0]["relations_high"]))
 
@@ -296,12 +302,13 @@ class Worlds(Spelled):
         Raises:
             InvalidArgument: `where` is no mask of shape (copies,) and holds no indices of copies.
         """
-        which = slice(None) if where is None else _which("where", where, len(self))
+        which = slice(None) if where is None else keeping.chosen("where", where, len(self))
         common = self._common
         common.memory.words[which] = self._start.words[0]
         common.faults[which] = DONE
         common.counts[which] = 0
-        self._in_play[which] = common.memory.in_play[which]
+        if self._in_play is not None:
+            self._in_play[which] = common.memory.in_play[which]
         self._forget_lent()
         self._owe_again(np.arange(len(self))[which])
 
@@ -468,20 +475,6 @@ def _check_world(world: Any) -> None:
     """Raise where `world` is none."""
     if not isinstance(world, World):
         raise checks.refuse("world", "must be a World", world)
-
-
-def _which(name: str, where: Any, count: int) -> NDArray[Any]:
-    """A mask or indices of copies; raises where it is neither."""
-    given = np.asarray(where)
-    if given.dtype.kind == "b" and given.shape == (count,):
-        return given
-    must = f"must be a mask of shape ({count},), or whole numbers from {-count} to {count - 1}"
-    if given.dtype.kind not in "iu" and given.size:
-        raise checks.refuse(name, must, where)
-    indices = given.astype(np.int64).reshape(-1)
-    if len(indices) and not (-count <= indices.min() and indices.max() < count):
-        raise checks.refuse(name, must, where)
-    return indices
 
 
 def _listed(copies: Sequence[int] | NDArray[np.int64]) -> str:

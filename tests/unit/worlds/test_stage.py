@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import carom
+from carom.compiler.door import At
+from carom.rows.copies import JOB, STEP_DUE, TAKE
 from carom.world import ahead
 from carom.world.kernels.copies.stepping import step_copies
 from tests.worlds import game_table, world_of
@@ -60,3 +62,16 @@ def test_the_kernel_is_compiled_for_the_types_that_it_is_called_with() -> None:
     worlds = carom.Worlds(game_table("continuous"), 2, threads=1)
     (example,) = ahead.examples()[step_copies]
     assert numba.typeof(worlds._stages[0]._loop_block.arguments) == numba.typeof(example.arguments)
+
+
+def test_a_job_is_written_field_by_field_where_its_row_has_them() -> None:
+    stage = carom.Worlds(game_table("discrete"), 3, threads=1)._stages[0]
+    stage.job["written"] = stage.job["wanted"] = 7
+    stage.begin(1, 3, 5, DT)
+    told = {name: stage.job[name] for name in JOB.names if name not in ("function", "block")}
+    assert told == {
+        "next": 1, "last": 3, "end": 3, "place": TAKE, "status": STEP_DUE, "steps": 5, "dt": DT, "keep_hits": 1,
+        "written": 0, "wanted": 0,
+    }  # fmt: skip
+    assert stage.job["block"] == stage._block.address
+    assert (stage.job["function"] != 0) == isinstance(stage._step, At)

@@ -277,3 +277,23 @@ def test_each_is_a_world_of_its_own() -> None:
     assert worlds[-1].digest() == worlds.digests()[1]
     with pytest.raises(carom.InvalidArgument, match="copy must be"):
         worlds[2]
+
+
+@pytest.mark.parametrize("early", [True, False])
+def test_the_mask_of_who_is_in_play_acts_whenever_it_is_asked_for(early: bool) -> None:
+    world = world_of(
+        carom.Ball((0, 0), 0.1, velocity=(9, 0)), carom.Ball((0, 1), 0.1), bounds=(-3, -3, 3, 3), remove_strays=True,
+    )  # fmt: skip
+    worlds = carom.Worlds(world, 3, threads=1)
+    if early:
+        assert worlds.balls.in_play.all()
+    worlds.run(1.0, 0.1)
+    mask = worlds.balls.in_play
+    assert mask.tolist() == [[False, True]] * 3
+    worlds.balls.position[1, 0] = (0.0, -1.0)
+    mask[1] = True, False
+    worlds.step(0.1)
+    assert worlds.balls.in_play.tolist() == [[False, True], [True, False], [False, True]]
+    worlds.reset([0])
+    worlds.step(0.0)
+    assert worlds.balls.in_play.tolist() == [[True, True], [True, False], [False, True]]
