@@ -88,6 +88,8 @@ def step_copies(
                 index[FIXED]["reach"] = -1.0
             job["place"] = PUT
         if job["place"] == PUT:
+            # A processor drops some of so many requests at once.
+            prefetch_copy(layout, memory, copy + 1)
             if not put_copy(layout, memory, marks, copy, state, words, shapes, queue, moving, switched):
                 job["wanted"] = state["relations_high"]
                 return LACKS_MEMORY
