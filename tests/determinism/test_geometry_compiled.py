@@ -12,13 +12,13 @@ from carom.geometry import (
     arc,
     boxes,
     circle,
-    crossing,
-    entry,
+    exact,
     figures,
     gap,
     line,
     overlap,
     path,
+    ray,
     reach,
     response,
     roots,
@@ -38,6 +38,7 @@ MODULES = (
     angle,
     path,
     figures,
+    exact,
     circle,
     line,
     arc,
@@ -46,10 +47,8 @@ MODULES = (
     overlap,
     gap,
     response,
-    entry,
     roots,
     reach,
-    crossing,
 )
 #: Values that coincide, cancel, touch and overflow more often than random ones would.
 TELLING = (
@@ -73,7 +72,9 @@ TELLING = (
 )
 
 
-FUNCTIONS = [function for module in MODULES for function in functions(module)]
+#: And what crosses sides, but not the rays of its module, which need the times of impact.
+CROSSINGS = [function for function in functions(ray) if function.__name__.startswith("crosses_")]
+FUNCTIONS = [*(function for module in MODULES for function in functions(module)), *CROSSINGS]
 
 
 @pytest.fixture(scope="module", autouse=True)
