@@ -84,6 +84,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     for body in drawing.bodies:
         if body.parts:
             _join(body.parts, used)
+    del bodies  # so that each can be let go
     shaper = Shaper(faults, used)
     shaper.add_all(drawing.bodies)
     world = _world(drawing)
@@ -112,6 +113,7 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float 
         if sample is not None:
             _refuse_sampled(sample, tolerance)
         reader.read()
+        reader.let_go()
     return kept
 
 
@@ -188,9 +190,11 @@ def _join(bodies: list[Body], tolerance: float) -> None:
     """Bring the ends of bodies together that belong together, and make what is nearly smooth smooth."""
     rows: list[tuple[Body, list[Piece]]] = []
     for body in bodies:
-        rows += [
-            (body, [piece for piece in outline if not is_bare(piece, BARE * tolerance)]) for outline in body.outlines
-        ]
+        for outline in body.outlines:
+            bare = [is_bare(piece, BARE * tolerance) for piece in outline]
+            if any(bare):
+                outline = [piece for piece, is_none in zip(outline, bare, strict=True) if not is_none]
+            rows.append((body, outline))
         body.outlines = []
     outlines = smoothed(joined([outline for _, outline in rows], tolerance), tolerance)
     for (body, _), outline in zip(rows, outlines, strict=True):
@@ -218,4 +222,8 @@ def _without_collector() -> Iterator[None]:
         yield
     finally:
         if was:
+            if gc.get_freeze_count() == 0:
+                # What was made counts as old from now on, for the search for young garbage would go through all of it.
+                gc.freeze()
+                gc.unfreeze()
             gc.enable()

@@ -1,7 +1,9 @@
 """Files of drawings as scenes: tolerances, joints, and how long it takes."""
 
+import gc
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -165,6 +167,38 @@ scene = carom.Scene.load(sys.argv[1])
 status = Path("/proc/self/status").read_text().split()  # what getrusage tells may be of the process that started this
 print(len(scene.shapes), time.process_time() - began, int(status[status.index("VmHWM:") + 1]) / 1000)
 """
+
+
+def test_what_is_made_of_a_drawing_counts_as_old_garbage_and_what_is_frozen_stays_frozen(tmp_path: Path) -> None:
+    lines = "".join(f'<line x1="{k}" y1="0" x2="{k}" y2="9"/>' for k in range(3000))
+    for frozen in (False, True):
+        gc.collect()  # so that none is due soon
+        if frozen:
+            gc.freeze()
+        count = gc.get_freeze_count()
+        try:
+            scene = drawn(tmp_path, lines)
+            assert gc.isenabled()
+            assert gc.get_freeze_count() >= 0.9 * count  # some die meanwhile
+            assert frozen or any(one is scene.shapes[7] for one in gc.get_objects(generation=2))
+        finally:
+            gc.unfreeze()
+
+
+def test_elements_with_as_many_different_options_take_little_room(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "LONGEST_FILE", 10**6)  # that much is set aside for the file
+    place = '<rect x="{0}" y="{1}" width="5" height="4" data-carom-elasticity="{2}" id="a{0}"/>'
+    rectangles = "".join(place.format(9 * (k % 50), 9 * (k // 50), 0.001 * k) for k in range(1, 1001))
+    tracemalloc.start()
+    try:
+        scene = drawn(tmp_path, rectangles)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(scene.shapes) == 4000
+    assert most < 4_000_000
 
 
 @pytest.mark.slow
