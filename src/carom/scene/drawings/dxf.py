@@ -112,6 +112,8 @@ class DxfReader:
                     self._draw(entity, bodies, name, {**options, **own}, written)
                 elif kind not in {"HATCH", "ATTDEF", "VIEWPORT"} or (kind == "HATCH" and not discs_of(entity)):
                     self._drawing.left_out[kind.lower()] += 1
+            except SceneError:  # of what has been noted within it, which is enough
+                raise
             except (ValueError, DXFError, ArithmeticError) as error:
                 self._drawing.faults.add_words(str(Place(entity, self._text)), str(error))
 

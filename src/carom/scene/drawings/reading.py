@@ -20,7 +20,7 @@ from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.joints import joined, size_of, smoothed
-from carom.scene.drawings.limits import FARTHEST, MOST_ARCS, SURE
+from carom.scene.drawings.limits import ENOUGH_FAULTS, FARTHEST, MOST_ARCS, SURE
 from carom.scene.drawings.pieces import Piece, arcs_of, is_bare
 from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
@@ -61,7 +61,7 @@ def read_drawing(path: str | os.PathLike[str], tolerance: float | None = None) -
 
 def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     """The scene that a drawing shows."""
-    faults = Faults(WorldDescriptor)
+    faults = Faults(WorldDescriptor, ENOUGH_FAULTS)
     drawing = Drawing(faults)
     kept = _read_into(drawing, path, tolerance)
     if kept is not None:

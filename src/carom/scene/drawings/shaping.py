@@ -38,7 +38,7 @@ AT_ONCE = 32_000
 #: Checked options that are kept: a drawing whose pieces have more different ones checks some of them again.
 MOST_SAMPLES = 1000
 #: Options for which every positive number is right.
-_FREE = frozenset({"elasticity", "friction", "kick", "mass"})
+_FREE = keywords.NOT_NEGATIVE | keywords.POSITIVE
 #: What tells what a body is, and is no field of a descriptor.
 _TELLS = frozenset({"ball", "kind"})
 

@@ -188,6 +188,8 @@ class SvgReader:
                     self._drawing.left_out["pivot outside of a group"] += 1
             elif properties.get("visibility", "visible") == "visible":
                 self._draw(element, matrix, properties, below, said)
+        except SceneError:  # of what has been noted within it, which is enough
+            raise
         except ValueError as error:
             self._drawing.faults.add_words(str(element), str(error))
 
@@ -245,6 +247,7 @@ class SvgReader:
         written, own = self._keys_of(said)
         if below.written:
             written = {**below.written, **written}
+        keywords.check_signs(options, written)
         below.bodies.append(Body(element, said.name or below.name, options, written, own, outlines, filled))
 
     def _keys_of(self, said: Said) -> tuple[dict[str, str], frozenset[str]]:

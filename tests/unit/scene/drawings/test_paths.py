@@ -91,6 +91,7 @@ def test_a_path_of_nothing_is_nothing() -> None:
         ("M 0 0 L 3", "L takes 2 numbers at a time, not 1"),
         ("M 0 0 L", "L takes 2 numbers at a time, not 0"),
         (" M 0 0 H 1 L 1 zero", "L takes 2 numbers at a time, not 1, in the command at character 12"),
+        ("M 0 0 L 1 2 u,3 w", "must hold numbers alone, not 'u'"),
         ("M 0 0 X 3", "must hold numbers alone, not 'X'"),
         ("M 0 0 L 1 nan", "must hold numbers alone, not 'n"),
         ("M 0 0 L 1 1e999", "must be finite"),
