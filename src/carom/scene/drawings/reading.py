@@ -26,7 +26,7 @@ from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
 
 if TYPE_CHECKING:
-    from carom.scene.drawings.svg import Sample
+    from carom.scene.drawings.sampling import Sample
 
 #: The endings of drawings.
 ENDINGS = (".svg", ".dxf")
@@ -99,9 +99,11 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float 
     """Take in a file, once the package that it needs is there; the table of the scene that is kept in it, if one is."""
     if Path(path).suffix.lower() == ".dxf":
         needed("ezdxf", "ezdxf", "drawings", "DXF drawings")
-        from carom.scene.drawings.dxf import DxfReader
+        from carom.scene.drawings.dxf import DxfReader, sample_of, text_of
 
-        DxfReader(data_of(path), drawing).read()
+        text = text_of(data_of(path))
+        _refuse_sampled(sample_of(text), tolerance)
+        DxfReader(text, drawing).read()
         return None
     needed("svgelements", "svgelements", "drawings", "SVG drawings")
     from carom.scene.drawings.svg import SvgReader
@@ -109,9 +111,7 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float 
     reader = SvgReader(data_of(path), drawing)
     kept = reader.kept_scene()
     if kept is None:
-        sample = reader.sample()
-        if sample is not None:
-            _refuse_sampled(sample, tolerance)
+        _refuse_sampled(reader.sample(), tolerance)
         reader.read()
         reader.let_go()
     return kept
@@ -135,8 +135,10 @@ def _parts_in(drawing: Drawing) -> list[Body]:
     return [part for body in drawing.bodies for part in (body.parts if body.parts is not None else [body])]
 
 
-def _refuse_sampled(sample: Sample, tolerance: float | None) -> None:
+def _refuse_sampled(sample: Sample | None, tolerance: float | None) -> None:
     """Raise where some of a drawing says that all of it would surely become too many arcs."""
+    if sample is None:
+        return
     bodies = _parts_in(sample.drawing)
     used = tolerance
     if used is None:

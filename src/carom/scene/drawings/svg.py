@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from random import Random
-from typing import Any, NamedTuple
+from typing import Any
 
 from carom.errors import SceneError
 from carom.scene.descriptors import WorldDescriptor
@@ -15,6 +15,7 @@ from carom.scene.drawings.keeping import kept_in
 from carom.scene.drawings.limits import DEEPEST, MOST_CURVES, MOST_ELEMENTS, MOST_MARKS, SAMPLE
 from carom.scene.drawings.outlines import DRAWS, NEEDS, length, outlines_of
 from carom.scene.drawings.pieces import Matrix, Vector, is_nothing, moved
+from carom.scene.drawings.sampling import Sample
 from carom.scene.drawings.sheets import Sheet, is_painted
 from carom.scene.drawings.transforms import transform
 from carom.scene.drawings.tree import MARK, XLINK, Element, read_tree
@@ -56,14 +57,6 @@ class Below:
     written: dict[str, str] = field(default_factory=dict)
     name: str | None = None
     compound: Body | None = None
-
-
-class Sample(NamedTuple):
-    """Some of the bodies of a drawing, the share of all that they are, about, and the longer side of its page."""
-
-    drawing: Drawing
-    share: float
-    page: float
 
 
 class SvgReader:
