@@ -8,6 +8,7 @@ import argparse
 import os
 import platform
 import sys
+from collections.abc import Callable
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import ModuleType
@@ -62,6 +63,12 @@ WORKLOADS: dict[str, ModuleType] = {
     "rl": rl,
 }
 
+#: What is drawn by --chart, the first that was asked for.
+CHARTED: dict[str, Callable[[list[Figure]], str]] = {
+    "scaling": scaling.chart,
+    "startup": startup.chart,
+    "door": door.chart,
+}
 
 #: Columns of what is printed to a file or a pipe.
 WIDTH = 128
@@ -91,11 +98,14 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--json", type=Path, metavar="FILE", help="save the figures there too")
     parser.add_argument("--compare", type=Path, metavar="FILE", help="print beside them those that were saved there")
     parser.add_argument("--plot", type=Path, metavar="FILE", help="draw what a true arc is worth, as SVG (rooms)")
-    parser.add_argument("--chart", type=Path, metavar="FILE", help="draw what a ball of many costs, as SVG (scaling)")
+    parser.add_argument(
+        "--chart", type=Path, metavar="FILE", help=f"draw what is measured, as SVG ({', '.join(CHARTED)})"
+    )
     asked = parser.parse_args(arguments)
     names = list(dict.fromkeys(asked.only or WORKLOADS))
-    if asked.chart and "scaling" not in names:
-        parser.error("--chart draws what --only scaling measures")
+    charted = [name for name in CHARTED if name in names]
+    if asked.chart and (not charted or (asked.only and len(charted) > 1)):
+        parser.error("--chart draws what --only scaling measures, or --only startup, or --only door")
     before = None
     if asked.compare:
         try:
@@ -115,7 +125,7 @@ def main(arguments: list[str]) -> None:
     if asked.plot:
         asked.plot.write_text(rooms.plot(asked.quick), encoding="utf-8")
     if asked.chart:
-        asked.chart.write_text(scaling.chart(measured["scaling"]), encoding="utf-8")
+        asked.chart.write_text(CHARTED[charted[0]](measured[charted[0]]), encoding="utf-8")
     if asked.json:
         save(asked.json, Run(here, measured))
 

@@ -8,14 +8,26 @@ from typing import Any
 import numpy as np
 
 import carom
+from benchmarks import bars
 from benchmarks.common import Figure, race
-from benchmarks.engines import engines
+from benchmarks.engines import CONTINUOUS, engines
 from benchmarks.setup import Setup
 from carom import outlines
+from carom.draw.paint.painter import Style
 
 TITLE = "The door from Python: one ball and two walls, one substep"
 TIME_STEP = 1.0 / 60.0
 RADIUS = 0.5
+
+
+STYLES = {
+    "carom": Style(fill="ball-3"),
+    CONTINUOUS: Style(fill="ball-1"),
+    "pymunk": Style(fill="ball-4"),
+    "Box2D": Style(fill="ball-2"),
+}
+#: The works of which there is a chart: those that the peers can do too.
+SHARED = ("a step, no hit", "a step with a hit", "a ball's position")
 
 
 def corridor(width: float, speed: float) -> Setup:
@@ -124,3 +136,19 @@ def own_figures(rounds: int, calls: int) -> list[Figure]:
         for workload, work in works.items()
         for name, timing in race({"carom": work}, max(rounds // 10, 1), calls).items()
     ]
+
+
+def chart(figures: list[Figure]) -> str:
+    """What one ball costs from Python as a chart, SVG."""
+    works = [
+        bars.Work(
+            name,
+            [
+                bars.Bar(figure.engine, figure.value, f"{figure.value:.2f}", STYLES[figure.engine])
+                for figure in figures
+                if figure.workload == name and figure.engine in STYLES
+            ],
+        )
+        for name in SHARED
+    ]
+    return bars.draw("One ball and two walls, from Python", "microseconds", works)

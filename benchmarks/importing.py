@@ -48,6 +48,12 @@ def wild(number: int, x: int, y: int, source: random.Random) -> str:
     return f'<path id="a{number}" d="M {x} {y} C {places}"/>'
 
 
+def optioned(number: int, x: int, y: int, source: random.Random) -> str:
+    """A rectangle, which is four walls, with an option that no other has."""
+    own = f'data-carom-elasticity="{source.random():.6f}"'
+    return f'<rect id="a{number}" x="{x}" y="{y}" width="5" height="{3 + number % 3}" {own}/>'
+
+
 def a_fifth(number: int, x: int, y: int, source: random.Random) -> str:
     """A plain element, or each fifth time a wild curve."""
     return (wild if number % 5 == 0 else plain)(number, x, y, source)
@@ -64,7 +70,7 @@ def run(quick: bool) -> list[Figure]:
     """Seconds of each drawing, with how many shapes there are in the end and the megabytes of the process."""
     count, rounds = (500, 1) if quick else (100_000, 3)
     figures = []
-    for kind in (plain, a_fifth, gentle, wild):
+    for kind in (plain, a_fifth, gentle, wild, optioned):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "drawing.svg"
             path.write_text(drawing(kind, count), encoding="utf-8")

@@ -48,10 +48,14 @@ _WITHOUT_VALUE = {"missing", "extra_forbidden", "union_tag_not_found"}
 
 
 class Faults:
-    """What is wrong with a `model`, as it is found: the number of faults, and the words of the first ones."""
+    """What is wrong with a `model`, as it is found: the number of faults, and the words of the first ones.
 
-    def __init__(self, model: type[BaseModel]) -> None:
+    With the fault whose number is `enough`, `add_words` raises the error, and nothing more is looked for.
+    """
+
+    def __init__(self, model: type[BaseModel], enough: int | None = None) -> None:
         self.model = model
+        self.enough = enough
         self.count = 0
         self.first: list[str] = []
 
@@ -68,10 +72,12 @@ class Faults:
         self.first += [_fault(details, path, self.model) for details in found[:room]]
 
     def add_words(self, path: str, words: str) -> None:
-        """Take in one fault."""
+        """Take in one fault; raises `SceneError` where it is enough of them."""
         self.count += 1
         if len(self.first) < MOST_FAULTS:
             self.first.append(f"{path}: {words}")
+        if self.count == self.enough:
+            raise self.error()
 
     def join(self, *others: Faults) -> None:
         """Take in the faults of others, which come after these."""
@@ -84,7 +90,8 @@ class Faults:
         if self.count == 1:
             return SceneError(self.first[0])
         more = [f"and {self.count - len(self.first)} more"] if self.count > len(self.first) else []
-        return SceneError("\n  ".join([f"{self.count} faults", *self.first, *more]))
+        rest = ", and what comes after them was not looked at" if self.count == self.enough else ""
+        return SceneError("\n  ".join([f"{self.count} faults{rest}", *self.first, *more]))
 
 
 def refused_below(error: CaromError, fields: Iterable[str]) -> PydanticCustomError:

@@ -14,12 +14,15 @@ from ezdxf.lldxf.const import DXFError
 from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 from carom.errors import SceneError
+from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings import keywords
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.counting import check_text
 from carom.scene.drawings.entities import DRAWS, disc, discs_of, outlines_of
 from carom.scene.drawings.limits import DEEPEST, MOST_ELEMENTS
 from carom.scene.drawings.pieces import is_nothing
+from carom.scene.drawings.sampling import Sample, some_of
+from carom.scene.faults import Faults
 
 #: The application whose extended data hold options, as strings such as `kick=4`.
 APPLICATION = "CAROM"
@@ -47,13 +50,13 @@ class Place:
 
 
 class DxfReader:
-    """Reads one drawing into `drawing`."""
+    """Reads the text of one drawing into `drawing`."""
 
-    def __init__(self, data: bytes, drawing: Drawing) -> None:
+    def __init__(self, text: str, drawing: Drawing) -> None:
         self._drawing = drawing
         drawing.where = "the drawing"
-        self._text = _text_of(data)
-        self._document: Any = _document_of(self._text)
+        self._text = text
+        self._document: Any = _document_of(text)
         self._hidden = {
             layer.dxf.name.upper()
             for layer in self._document.layers
@@ -112,6 +115,8 @@ class DxfReader:
                     self._draw(entity, bodies, name, {**options, **own}, written)
                 elif kind not in {"HATCH", "ATTDEF", "VIEWPORT"} or (kind == "HATCH" and not discs_of(entity)):
                     self._drawing.left_out[kind.lower()] += 1
+            except SceneError:  # of what has been noted within it, which is enough
+                raise
             except (ValueError, DXFError, ArithmeticError) as error:
                 self._drawing.faults.add_words(str(Place(entity, self._text)), str(error))
 
@@ -213,7 +218,17 @@ def _document_of(text: str) -> Any:
         log.setLevel(level)
 
 
-def _text_of(data: bytes) -> str:
+def sample_of(text: str) -> Sample | None:
+    """Some of the bodies of a drawing, where it has so many curves that all take long."""
+    some = some_of(text)
+    if some is None:
+        return None
+    drawing = Drawing(Faults(WorldDescriptor))
+    DxfReader(some.text, drawing).read()
+    return Sample(drawing, some.share, some.size)
+
+
+def text_of(data: bytes) -> str:
     """The text of a DXF file, whose encoding stands in its header; raises `SceneError`."""
     if data.startswith(b"AutoCAD Binary DXF"):
         raise SceneError("is a binary DXF; it must be saved as text (ASCII)")

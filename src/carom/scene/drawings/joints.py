@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import chain
 from math import atan2, cos, floor, hypot, inf, pi, sin, tan
 
 import numpy as np
@@ -80,7 +81,7 @@ def _crowded(places: list[Vector], tolerance: float) -> list[Vector]:
     """
     if len(places) < 2:
         return []
-    points = np.array(places)
+    points = np.fromiter(chain.from_iterable(places), np.float64, 2 * len(places)).reshape(-1, 2)
     points -= points.min(axis=0)
     if not tolerance > TOO_FINE * points.max():
         return []
@@ -192,9 +193,9 @@ def _turned(curve: Cubic, angle: float, most: float, *, start: bool) -> Cubic | 
 
 def size_of(outlines: Iterable[Outline]) -> float:
     """The longer side of what holds all outlines; 0 for none."""
-    points = [point for outline in outlines for piece in outline for point in piece.points()]
-    if not points:
+    points = chain.from_iterable(piece.points() for outline in outlines for piece in outline)
+    table = np.fromiter(chain.from_iterable(points), np.float64).reshape(-1, 2)
+    if len(table) == 0:
         return 0.0
-    table = np.array(points)
     with np.errstate(over="ignore", invalid="ignore"):
         return float((table.max(axis=0) - table.min(axis=0)).max())

@@ -24,6 +24,8 @@ DRAWN = frozenset({"position", "start", "end", "center", "radius", "start_angle"
 OWN = frozenset({"name", "pivot", "ball"})
 #: What moves a compound, and is not for its parts.
 MOVING = frozenset({*MovingDescriptor.model_fields, "motion"}) - {"orientation"}
+#: Options that are right where they are not negative, or positive, whatever the others are.
+NOT_NEGATIVE, POSITIVE = frozenset({"elasticity", "friction", "kick"}), frozenset({"mass"})
 #: Kinds that a drawing cannot tell from others by itself.
 KINDS = ("gate", "point")
 
@@ -54,6 +56,18 @@ def of_shape(name: str, text: str) -> tuple[str, Any]:
 def of_world(name: str, text: str) -> tuple[str, Any]:
     """An option of the world, or of the scene; raises `ValueError`."""
     return _option(name, text, _WORLD)
+
+
+def check_signs(options: dict[str, Any], written: dict[str, str]) -> None:
+    """Raise `ValueError` for a number that must not be negative and is, which begins with how the option is written.
+
+    The descriptors say the same, but not before all of a drawing is read.
+    """
+    for key, value in options.items():
+        if key in NOT_NEGATIVE and value < 0.0:
+            raise ValueError(f"{written[key]}: must not be negative, not {value}")
+        if key in POSITIVE and value <= 0.0:
+            raise ValueError(f"{written[key]}: must be positive, not {value}")
 
 
 def label(text: str) -> tuple[str, list[tuple[str, str]]]:

@@ -23,5 +23,7 @@ SLOW = 12
 #: before all are believed to be too many.
 SAMPLE = 6_000
 SURE = 1.05
+#: Faults of a drawing with which its reading ends: some are told, and to find all of a hundred thousand takes seconds.
+ENOUGH_FAULTS = 1000
 #: Characters of an outline for each that is no digit: a number with more digits than this is none.
 LONGEST_NUMBER = 1000

@@ -15,6 +15,9 @@ from carom.scene.drawings.pieces import Cubic, Piece, Straight, Vector
 #: Atomic: digits that stand together are one number, and are not tried as several.
 NUMBER = r"(?>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _NUMBER = re.compile(NUMBER)
+_LIST = re.compile(rf"(?:[, \n\t\r\f]|{NUMBER})*+")
+#: What lists of numbers are made of that stand apart; `float` reads other words too.
+_APART = re.compile(r"[-+.0-9eE, \n\t\r\f]*")
 COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*)")
 _GAP = r"[\s,]*"
 #: The flags of an arc are single digits, and need nothing between them.
@@ -31,15 +34,23 @@ def count_numbers(text: str) -> int:
 
 def numbers(text: str) -> list[float]:
     """The numbers in a list of them; raises `ValueError`, which says what else there is."""
-    found = _NUMBER.findall(text)
-    blanks = sum(text.count(blank) for blank in " ,\n\t\r\f")
-    if sum(map(len, found)) + blanks != len(text):
-        rest = re.sub(r"[\s,]", "", _NUMBER.sub("", text)) or text
-        raise ValueError(f"must hold numbers alone, not {rest[:20]!r}")
-    values = [float(number) for number in found]
+    try:
+        values = list(map(float, text.replace(",", " ").split())) if _APART.fullmatch(text) else _close_numbers(text)
+    except ValueError:  # of numbers that stand together, such as 1-2
+        values = _close_numbers(text)
     if not all(map(isfinite, values)):
         raise ValueError("must be finite")
     return values
+
+
+def _close_numbers(text: str) -> list[float]:
+    """The numbers in a list of them, which need nothing between them where it is clear where each ends."""
+    good = _LIST.match(text)
+    end = good.end() if good else 0
+    if end < len(text):
+        rest = text[end : end + 20].replace(",", " ").split()
+        raise ValueError(f"must hold numbers alone, not {rest[0] if rest else text[end]!r}")
+    return [float(number) for number in _NUMBER.findall(text)]
 
 
 def points(text: str) -> list[Vector]:

@@ -115,7 +115,9 @@ class Conic:
         if self.whole:
             (x, y), across, along = self.center, hypot(self.u[0], self.v[0]), hypot(self.u[1], self.v[1])
             return (x - across, y - along), (x + across, y + along)
-        return tuple(self.at(self.begin + 0.25 * k * self.sweep) for k in range(5))
+        (x, y), (ux, uy), (vx, vy) = self.center, self.u, self.v
+        turns = [self.begin + 0.25 * k * self.sweep for k in range(5)]
+        return tuple((x + ux * cos(t) + vx * sin(t), y + uy * cos(t) + vy * sin(t)) for t in turns)
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +171,24 @@ class Course:
 Piece: TypeAlias = Straight | Conic | Cubic | Course
 
 
+def moved(outline: list[Piece], matrix: Matrix) -> list[Piece]:
+    """The pieces of an outline after a transform; an end that is the next one's beginning is one place in both."""
+    done: list[Piece] = []
+    before: Vector | None = None
+    after: Vector | None = None
+    for piece in outline:
+        if isinstance(piece, (Straight, Cubic)):
+            start = after if after is not None and piece.start is before else matrix.place(piece.start)
+            before, after = piece.end, matrix.place(piece.end)
+            if isinstance(piece, Straight):
+                done.append(Straight(start, after))
+            else:
+                done.append(Cubic(start, matrix.place(piece.first), matrix.place(piece.second), after))
+        else:
+            done.append(piece.moved(matrix))
+    return done
+
+
 def is_bare(piece: Piece, length: float) -> bool:
     """Whether a piece is no more than a place: no part of it farther than about a `length` from its start.
 
@@ -195,8 +215,9 @@ def arcs_of(piece: Piece, tolerance: float) -> float:
     """
     if isinstance(piece, Straight) or (isinstance(piece, Conic) and piece.round):
         return 0.0
-    points = piece.points()
-    length = sum(map(dist, points, points[1:]))
-    if isinstance(piece, Conic) and piece.whole:
-        length *= pi
+    if isinstance(piece, Conic):
+        length = abs(piece.sweep) * piece.radius
+    else:
+        points = piece.points()
+        length = sum(map(dist, points, points[1:]))
     return max(2.0, 1.0 + 0.6 * float((length / tolerance) ** (1.0 / 3.0)))

@@ -20,13 +20,13 @@ from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.joints import joined, size_of, smoothed
-from carom.scene.drawings.limits import FARTHEST, MOST_ARCS, SURE
+from carom.scene.drawings.limits import ENOUGH_FAULTS, FARTHEST, MOST_ARCS, SURE
 from carom.scene.drawings.pieces import Piece, arcs_of, is_bare
 from carom.scene.drawings.shaping import Shaper
 from carom.scene.faults import Faults
 
 if TYPE_CHECKING:
-    from carom.scene.drawings.svg import Sample
+    from carom.scene.drawings.sampling import Sample
 
 #: The endings of drawings.
 ENDINGS = (".svg", ".dxf")
@@ -61,7 +61,7 @@ def read_drawing(path: str | os.PathLike[str], tolerance: float | None = None) -
 
 def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     """The scene that a drawing shows."""
-    faults = Faults(WorldDescriptor)
+    faults = Faults(WorldDescriptor, ENOUGH_FAULTS)
     drawing = Drawing(faults)
     kept = _read_into(drawing, path, tolerance)
     if kept is not None:
@@ -84,6 +84,7 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     for body in drawing.bodies:
         if body.parts:
             _join(body.parts, used)
+    del bodies  # so that each can be let go
     shaper = Shaper(faults, used)
     shaper.add_all(drawing.bodies)
     world = _world(drawing)
@@ -98,9 +99,11 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float 
     """Take in a file, once the package that it needs is there; the table of the scene that is kept in it, if one is."""
     if Path(path).suffix.lower() == ".dxf":
         needed("ezdxf", "ezdxf", "drawings", "DXF drawings")
-        from carom.scene.drawings.dxf import DxfReader
+        from carom.scene.drawings.dxf import DxfReader, sample_of, text_of
 
-        DxfReader(data_of(path), drawing).read()
+        text = text_of(data_of(path))
+        _refuse_sampled(sample_of(text), tolerance)
+        DxfReader(text, drawing).read()
         return None
     needed("svgelements", "svgelements", "drawings", "SVG drawings")
     from carom.scene.drawings.svg import SvgReader
@@ -108,10 +111,9 @@ def _read_into(drawing: Drawing, path: str | os.PathLike[str], tolerance: float 
     reader = SvgReader(data_of(path), drawing)
     kept = reader.kept_scene()
     if kept is None:
-        sample = reader.sample()
-        if sample is not None:
-            _refuse_sampled(sample, tolerance)
+        _refuse_sampled(reader.sample(), tolerance)
         reader.read()
+        reader.let_go()
     return kept
 
 
@@ -133,8 +135,10 @@ def _parts_in(drawing: Drawing) -> list[Body]:
     return [part for body in drawing.bodies for part in (body.parts if body.parts is not None else [body])]
 
 
-def _refuse_sampled(sample: Sample, tolerance: float | None) -> None:
+def _refuse_sampled(sample: Sample | None, tolerance: float | None) -> None:
     """Raise where some of a drawing says that all of it would surely become too many arcs."""
+    if sample is None:
+        return
     bodies = _parts_in(sample.drawing)
     used = tolerance
     if used is None:
@@ -188,9 +192,11 @@ def _join(bodies: list[Body], tolerance: float) -> None:
     """Bring the ends of bodies together that belong together, and make what is nearly smooth smooth."""
     rows: list[tuple[Body, list[Piece]]] = []
     for body in bodies:
-        rows += [
-            (body, [piece for piece in outline if not is_bare(piece, BARE * tolerance)]) for outline in body.outlines
-        ]
+        for outline in body.outlines:
+            bare = [is_bare(piece, BARE * tolerance) for piece in outline]
+            if any(bare):
+                outline = [piece for piece, is_none in zip(outline, bare, strict=True) if not is_none]
+            rows.append((body, outline))
         body.outlines = []
     outlines = smoothed(joined([outline for _, outline in rows], tolerance), tolerance)
     for (body, _), outline in zip(rows, outlines, strict=True):
@@ -218,4 +224,8 @@ def _without_collector() -> Iterator[None]:
         yield
     finally:
         if was:
+            if gc.get_freeze_count() == 0:
+                # What was made counts as old from now on, for the search for young garbage would go through all of it.
+                gc.freeze()
+                gc.unfreeze()
             gc.enable()

@@ -2,11 +2,13 @@
 
 A drawing may have a hundred thousand pieces with the same few options. So options are checked once, on a descriptor
 with a geometry that nothing can be wrong with, and all pieces with the same options are copies of it with their own.
+What any positive number is right for is not even that: such options may be others for every piece.
 """
 
 from __future__ import annotations
 
-from math import atan2, pi
+from collections.abc import Iterator
+from math import atan2, inf, pi
 from typing import Any
 
 from pydantic import ValidationError
@@ -32,7 +34,11 @@ _SAMPLES: dict[str, dict[str, Any]] = {
     "ball": {"position": (0.0, 0.0), "radius": 1.0},
 }
 #: Bodies whose curves are fitted at once: with more it is hardly quicker, and takes more memory.
-AT_ONCE = 16_000
+AT_ONCE = 32_000
+#: Checked options that are kept: a drawing whose pieces have more different ones checks some of them again.
+MOST_SAMPLES = 1000
+#: Options for which every positive number is right.
+_FREE = keywords.NOT_NEGATIVE | keywords.POSITIVE
 #: What tells what a body is, and is no field of a descriptor.
 _TELLS = frozenset({"ball", "kind"})
 
@@ -51,14 +57,14 @@ class Shaper:
         self._chains: dict[int, Chain] = {}
 
     def add_all(self, bodies: list[Body]) -> None:
-        """Make the descriptors of bodies, whose curves are fitted some thousands at once."""
-        for begin in range(0, len(bodies), AT_ONCE):
-            some = bodies[begin : begin + AT_ONCE]
-            parts = [part for body in some for part in (body.parts if body.parts is not None else [body])]
-            pieces = (piece for part in parts for outline in part.outlines for piece in outline)
-            self._chains = chains_of(pieces, self._tolerance)
-            for body in some:
-                self._add(body)
+        """Make the descriptors of bodies, their curves fitted some thousands at once, and let go of each body."""
+        while bodies:
+            some = bodies[:AT_ONCE]
+            del bodies[:AT_ONCE]
+            self._chains = chains_of(_pieces_in(some), self._tolerance)
+            some.reverse()
+            while some:
+                self._add(some.pop())
 
     def _add(self, body: Body) -> None:
         """Make the descriptors of a body."""
@@ -80,10 +86,10 @@ class Shaper:
         made = self._made(body)
         moving = [key for key in keywords.MOVING if body.options.get(key)]
         if len(made) < 2 or not (moving or "pivot" in body.options):
-            self.shapes += [self._described(body, kind, geometry, body.options) for kind, geometry in made]
+            self.shapes += self._described(body, made, body.options)
         elif "pivot" in body.options:
             surface = {key: value for key, value in body.options.items() if key not in keywords.MOVING | {"pivot"}}
-            self._add_compound(body, [self._described(body, kind, geometry, surface) for kind, geometry in made])
+            self._add_compound(body, self._described(body, made, surface))
         else:
             raise _Refused(
                 body.where,
@@ -110,7 +116,7 @@ class Shaper:
 
     def _parts_of(self, body: Body) -> list[Descriptor]:
         """The descriptors of a body's pieces."""
-        return [self._described(body, kind, geometry, body.options) for kind, geometry in self._made(body)]
+        return self._described(body, self._made(body), body.options)
 
     # -- geometry --------------------------------------------------------------------------------------------------
 
@@ -149,7 +155,7 @@ class Shaper:
         if isinstance(piece, Straight):
             return [("segment", {"start": piece.start, "end": piece.end})]
         if not isinstance(piece, Conic) or not piece.round:
-            return fitted(piece, self._tolerance, self._chains.get(id(piece)))
+            return fitted(piece, self._tolerance, self._chains.pop(id(piece), None))
         if piece.whole:
             return [("circle", {"center": piece.center, "radius": piece.radius, "solid": filled})]
         begin, end = _angle(piece.center, piece.start), _angle(piece.center, piece.end)
@@ -161,23 +167,44 @@ class Shaper:
 
     # -- descriptors -----------------------------------------------------------------------------------------------
 
-    def _described(self, body: Body, kind: str, geometry: dict[str, Any], options: dict[str, Any]) -> Descriptor:
-        """The descriptor of one piece of a body."""
-        model: type[Descriptor] = BallDescriptor if kind == "ball" else keywords.SHAPES[kind]
-        fields = model.model_fields
+    def _described(self, body: Body, made: Made, options: dict[str, Any]) -> list[Descriptor]:
+        """The descriptors of the pieces of a body."""
+        described = []
+        known: dict[str, tuple[Descriptor | None, dict[str, Any]]] = {}
+        for kind, geometry in made:
+            if kind not in known:
+                given = {**self._given(body, kind, options), "name": body.name}
+                sample = None if kind == "gate" else self._sample(body, kind, given)
+                known[kind] = sample, (given if sample is None else {**vars(sample), **given})
+            sample, fields = known[kind]
+            if sample is None:  # a gate, whose direction is checked against its geometry
+                described.append(self._checked(body, GateDescriptor, {**geometry, **fields}))
+            else:
+                filled = {"solid": options["solid"]} if kind == "circle" and "solid" in options else {}
+                described.append(_copied(sample, {**fields, **geometry, **filled}))
+        return described
+
+    def _given(self, body: Body, kind: str, options: dict[str, Any]) -> dict[str, Any]:
+        """Those of the options that a kind of piece has; raises where the body's own are others."""
+        fields = _model_of(kind).model_fields
         for key in body.own - _TELLS:
             if key in options and key not in fields:
                 said = hint(key, fields) or f"there are {', '.join(sorted(set(fields) - keywords.DRAWN - {'kind'}))}"
                 raise _Refused(body.where, f"{body.written[key]}: is nothing that a {kind} has; {said}")
-        given = {key: value for key, value in options.items() if key in fields and key != "kind"}
-        if model is GateDescriptor:  # whose direction is checked against its geometry
-            return self._checked(body, model, {**geometry, **given, "name": body.name})
-        same = (kind, *sorted(given.items()))
-        if same not in self._samples:
-            self._samples[same] = self._checked(body, model, {**_SAMPLES[kind], **given})
-        if "solid" in given:
-            geometry = {**geometry, "solid": given["solid"]}
-        return _copied(self._samples[same], geometry, body.name)
+        return {key: value for key, value in options.items() if key in fields and key != "kind"}
+
+    def _sample(self, body: Body, kind: str, given: dict[str, Any]) -> Descriptor:
+        """A descriptor whose options are checked: as they are given, but for the name and the values of free ones."""
+        settled = {key: value for key, value in given.items() if key != "name" and not _is_free(key, value)}
+        same = (kind, *given, *sorted(settled.items()))
+        sample = self._samples.get(same)
+        if sample is None:
+            if len(self._samples) == MOST_SAMPLES:
+                self._samples.clear()
+            table = {**_SAMPLES[kind], **given}
+            del table["name"]
+            sample = self._samples[same] = self._checked(body, _model_of(kind), table)
+        return sample
 
     def _checked(self, body: Body, model: type[Descriptor], table: dict[str, Any]) -> Descriptor:
         """The descriptor that a table makes."""
@@ -222,10 +249,28 @@ class _Refused(Exception):
         self.words = words
 
 
-def _copied(sample: Descriptor, geometry: dict[str, Any], name: str | None) -> Descriptor:
-    """A copy of a descriptor with a geometry and a name of its own: as `model_copy` makes it, which takes 8 µs."""
+def _pieces_in(bodies: list[Body]) -> Iterator[Piece]:
+    """All pieces of bodies and of their parts."""
+    for body in bodies:
+        for part in body.parts if body.parts is not None else (body,):
+            for outline in part.outlines:
+                yield from outline
+
+
+def _model_of(kind: str) -> type[Descriptor]:
+    """The descriptor of a kind of piece."""
+    return BallDescriptor if kind == "ball" else keywords.SHAPES[kind]
+
+
+def _is_free(key: str, value: Any) -> bool:
+    """Whether the value of an option is right, whatever the others are."""
+    return key in _FREE and 0.0 < value < inf
+
+
+def _copied(sample: Descriptor, fields: dict[str, Any]) -> Descriptor:
+    """A copy of a descriptor with other fields: as `model_copy` makes it, which takes 8 µs."""
     copy = sample.__class__.__new__(sample.__class__)
-    object.__setattr__(copy, "__dict__", {**sample.__dict__, **geometry, "name": name})
+    object.__setattr__(copy, "__dict__", fields)
     for field in ("__pydantic_fields_set__", "__pydantic_extra__", "__pydantic_private__"):
         object.__setattr__(copy, field, getattr(sample, field))
     return copy

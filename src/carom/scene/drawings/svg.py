@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from random import Random
-from typing import Any, NamedTuple
+from typing import Any
 
 from carom.errors import SceneError
 from carom.scene.descriptors import WorldDescriptor
@@ -14,7 +14,8 @@ from carom.scene.drawings.counting import Amount, own_of, refuse_amount
 from carom.scene.drawings.keeping import kept_in
 from carom.scene.drawings.limits import DEEPEST, MOST_CURVES, MOST_ELEMENTS, MOST_MARKS, SAMPLE
 from carom.scene.drawings.outlines import DRAWS, NEEDS, length, outlines_of
-from carom.scene.drawings.pieces import Matrix, Vector, is_nothing
+from carom.scene.drawings.pieces import Matrix, Vector, is_nothing, moved
+from carom.scene.drawings.sampling import Sample
 from carom.scene.drawings.sheets import Sheet, is_painted
 from carom.scene.drawings.transforms import transform
 from carom.scene.drawings.tree import MARK, XLINK, Element, read_tree
@@ -58,14 +59,6 @@ class Below:
     compound: Body | None = None
 
 
-class Sample(NamedTuple):
-    """Some of the bodies of a drawing, the share of all that they are, about, and the longer side of its page."""
-
-    drawing: Drawing
-    share: float
-    page: float
-
-
 class SvgReader:
     """Reads one drawing into `drawing`."""
 
@@ -77,6 +70,7 @@ class SvgReader:
         named = [element for element in self._root.walk() if "id" in element.attributes]
         self._by_id = {element.attributes["id"]: element for element in reversed(named)}
         self._amounts: dict[int, Amount] = {}
+        self._keys: dict[tuple[tuple[str, str], ...], tuple[dict[str, str], frozenset[str]]] = {}
         self._check_amount(self._root, 0)
         self._share = 1.0
         self._chance = Random(0)
@@ -116,6 +110,13 @@ class SvgReader:
         below = replace(below, properties=self._sheet.properties_of(root))
         for child in root.children:
             self._visit(child, below)
+
+    def let_go(self) -> None:
+        """Let go of what the elements say, once it is taken in: bodies keep them for their names and lines alone."""
+        for element in [*self._root.walk()]:
+            name = element.attributes.get("id")
+            element.attributes = {"id": name} if name else {}
+            element.children = []
 
     # -- before anything is drawn ----------------------------------------------------------------------------------
 
@@ -169,25 +170,19 @@ class SvgReader:
         self._note_unheard(element)
         try:
             said = said_by(element)
-            state = Below(
-                below.matrix.after(_transform_of(element)) if "transform" in element.attributes else below.matrix,
-                below.viewport,
-                below.bodies,
-                properties,
-                {**below.options, **said.handed_down()} if said.options else below.options,
-                {**below.written, **{key: f"{place} of {element}" for key, place in said.written.items()}}
-                if said.written
-                else below.written,
-                said.name or below.name,
-                below.compound,
-            )
+            matrix = below.matrix
+            if "transform" in element.attributes:
+                matrix = matrix.after(_transform_of(element))
             if element.tag in GROUPS:
-                self._enter(element, state, said)
+                state = replace(below, matrix=matrix, properties=properties)
+                self._enter(element, _handed_down(element, state, said), said)
             elif is_pivot(element):
-                if state.compound is None:
+                if below.compound is None:
                     self._drawing.left_out["pivot outside of a group"] += 1
             elif properties.get("visibility", "visible") == "visible":
-                self._draw(element, state, said)
+                self._draw(element, matrix, properties, below, said)
+        except SceneError:  # of what has been noted within it, which is enough
+            raise
         except ValueError as error:
             self._drawing.faults.add_words(str(element), str(error))
 
@@ -226,26 +221,34 @@ class SvgReader:
         surface = {key: value for key, value in state.options.items() if key not in keywords.MOVING}
         return replace(state, bodies=parts, options=surface, compound=body)
 
-    def _draw(self, element: Element, state: Below, said: Said) -> None:
+    def _draw(self, element: Element, matrix: Matrix, properties: dict[str, str], below: Below, said: Said) -> None:
         """Add the body of an element that draws an outline."""
-        filled = is_painted(state.properties.get("fill", "black"))
-        if not filled and not is_painted(state.properties.get("stroke", "none")) and not said.options:
+        filled = is_painted(properties.get("fill", "black"))
+        if not filled and not is_painted(properties.get("stroke", "none")) and not said.options:
             return
-        if state.properties.get("fill", "").startswith("url("):
+        if properties.get("fill", "").startswith("url("):
             self._drawing.left_out["gradient or pattern"] += 1
-        outlines = [
-            [piece.moved(state.matrix) for piece in outline] for outline in outlines_of(element, state.viewport)
-        ]
+        outlines = [moved(outline, matrix) for outline in outlines_of(element, below.viewport)]
         if is_nothing(outlines):
             if said.options:
                 raise ValueError(f"draws nothing: it needs {NEEDS[element.tag]}, and no transform that scales it to 0")
             self._drawing.left_out[f"{element.tag} without a size"] += 1
             return
-        options = {**state.options, **said.options}
+        options = {**below.options, **said.options} if said.options else below.options
         if "pivot" in options:
-            options["pivot"] = state.matrix.place(options["pivot"])
-        written, own = {**state.written, **said.written}, frozenset(said.options)
-        state.bodies.append(Body(element, state.name, options, written, own, outlines, filled))
+            options = {**options, "pivot": matrix.place(options["pivot"])}
+        written, own = self._keys_of(said)
+        if below.written:
+            written = {**below.written, **written}
+        keywords.check_signs(options, written)
+        below.bodies.append(Body(element, said.name or below.name, options, written, own, outlines, filled))
+
+    def _keys_of(self, said: Said) -> tuple[dict[str, str], frozenset[str]]:
+        """How the options of an element are written, and their names: the same objects where these are the same."""
+        same = tuple(said.written.items())
+        if same not in self._keys:
+            self._keys[same] = said.written, frozenset(said.options)
+        return self._keys[same]
 
     def _note_unheard(self, element: Element) -> None:
         """Count what an element has that is passed over."""
@@ -256,6 +259,15 @@ class SvgReader:
         for attribute, word in UNHEARD.items():
             if attributes.get(attribute, "").startswith("url(") or f"{attribute}:url(" in style:
                 self._drawing.left_out[word] += 1
+
+
+def _handed_down(element: Element, below: Below, said: Said) -> Below:
+    """The state within an element, with what it says."""
+    if not said.options:
+        return replace(below, name=said.name or below.name)
+    written = {key: f"{place} of {element}" for key, place in said.written.items()}
+    options = {**below.options, **said.handed_down()}
+    return replace(below, options=options, written={**below.written, **written}, name=said.name or below.name)
 
 
 def _transform_of(element: Element) -> Matrix:

@@ -11,15 +11,18 @@ of cubics of shape (4, 2, n).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import chain
 from math import atan2, inf
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.constants import BIARC_LEAST_DIVISOR, GREATEST_SQUARE, LARGEST_RADIUS, LEAST_SQUARE
+from carom.constants import BIARC_LEAST_DIVISOR, GREATEST_SQUARE, LARGEST_RADIUS, LEAST_SQUARE, TIP_RADIUS
 from carom.shapes.outlines.bow import END_ROUNDING, HALVINGS, PAST_END, PLACE_ROUNDING, WIDEST, Bow
+from carom.shapes.outlines.cubic import Cubic
 from carom.shapes.outlines.following import LOOKS, NEAR_ENOUGH, TRIALS, USED_UP
+from carom.shapes.outlines.track import HALVINGS as TIP_HALVINGS
 from carom.shapes.outlines.track import MOST_SLANT, STILL, Track
 
 #: Curves that are left to `follow` once there are no more of them.
@@ -62,13 +65,23 @@ def follow_abreast(tracks: Sequence[Track], tolerances: Sequence[float]) -> list
         return _Search(tracks, tolerances).arcs()
 
 
+def are_brisk(cubics: Sequence[Cubic]) -> list[bool]:
+    """Which cubics are sure to have no tip, as `tracks` looks for them: of what is not sure it must be asked."""
+    if not cubics:
+        return []
+    controls = _controls(cubics)
+    with np.errstate(all="ignore"):
+        size = np.sum(np.hypot(*np.moveaxis(np.diff(controls, axis=0), 1, 0)), axis=0)
+        sure: list[bool] = _are_brisk(controls, STILL * size, TIP_HALVINGS).tolist()
+    return sure
+
+
 class _Search:
     """Where each curve's search for its next two arcs stands, as `follow` and `_farthest` have it."""
 
     def __init__(self, tracks: Sequence[Track], tolerances: Sequence[float]) -> None:
         count = len(tracks)
-        controls = np.array([track.cubics[0] for track in tracks]).T
-        self.cubics = np.stack([controls.real, controls.imag], axis=1)
+        self.cubics = _controls([track.cubics[0] for track in tracks])
         self.tolerance = np.array(tolerances)
         self.out, self.into = _pairs([track.out for track in tracks]), _pairs([track.into for track in tracks])
         self.start, self.low, self.high, self.u = np.zeros(count), np.zeros(count), np.ones(count), np.ones(count)
@@ -358,6 +371,38 @@ def _reach(bow: Bows) -> Floats:
     return found
 
 
+# -- tips: what `_is_brisk` says ---------------------------------------------------------------------------------------
+
+
+def _are_brisk(cubics: Floats, still: Floats, halvings: int) -> Flags:
+    """Which cubics are sure to have no tip, and to be nowhere slower than `still`."""
+    a, b, c, d = cubics
+    legs, chord = (b - a, c - b, d - c), d - a
+    along = np.min([_dot(leg, chord) for leg in legs], axis=0) / np.hypot(*chord)
+    pairs = (legs[0], legs[1]), (legs[1], legs[2]), (legs[2], legs[0])
+    turns = [_cross(*pair) for pair in pairs]
+    apart = (np.min(turns, axis=0) < 0.0) & (np.max(turns, axis=0) > 0.0)
+    least = np.where(along > 0.0, along, np.where(apart, np.min([_nearest(*pair) for pair in pairs], axis=0), 0.0))
+    bend = 6.0 * np.maximum(np.hypot(*(legs[1] - legs[0])), np.hypot(*(legs[2] - legs[1])))
+    speed = 2.9 * least
+    sure: Flags = (speed > 0.0) & (speed > still) & (speed * speed > TIP_RADIUS * bend)
+    open_yet = np.flatnonzero(~sure) if halvings > 0 else np.array([], np.intp)
+    for later in (False, True):
+        if len(open_yet):
+            halves = _halves(cubics[:, :, open_yet])[later]
+            open_yet = open_yet[_are_brisk(halves, 0.5 * still[open_yet], halvings - 1)]
+    sure[open_yet] = True
+    return sure
+
+
+def _nearest(start: Floats, end: Floats) -> Floats:
+    """How far the ways from places to others are from 0."""
+    along = end - start
+    square = _dot(along, along)
+    share = np.where(square > 0.0, np.minimum(np.maximum(-_dot(start, along) / square, 0.0), 1.0), 0.0)
+    return np.asarray(np.hypot(*(start + share * along)))
+
+
 # -- arrays ------------------------------------------------------------------------------------------------------------
 
 
@@ -376,6 +421,12 @@ def _dot(a: Floats, b: Floats) -> Floats:
 def _each(function: Callable[[float, float], float], a: Floats, b: Floats) -> Floats:
     """A function of two numbers for each pair: those of NumPy have other last digits on some processors."""
     return np.array(list(map(function, a.tolist(), b.tolist())))
+
+
+def _controls(cubics: Sequence[Cubic]) -> Floats:
+    """The control points of cubics as an array."""
+    given = np.fromiter(chain.from_iterable(cubics), np.complex128, 4 * len(cubics)).reshape(-1, 4).T
+    return np.stack([given.real, given.imag], axis=1)
 
 
 def _pairs(places: Sequence[complex]) -> Floats:

@@ -11,14 +11,14 @@ from carom.checks import non_negative, refuse
 from carom.constants import LEAST_TOLERANCE
 from carom.errors import InvalidArgument
 from carom.geometry.vector import unit
-from carom.shapes.outlines.abreast import follow_abreast
+from carom.shapes.outlines.abreast import are_brisk, follow_abreast
 from carom.shapes.outlines.bow import PLACE_ROUNDING, Bow
 from carom.shapes.outlines.cubic import Cubic, cross, dot
 from carom.shapes.outlines.following import follow
 from carom.shapes.outlines.places import places_of
 from carom.shapes.outlines.spline import Curve, cubics_along, slope_by_steps, value_of
 from carom.shapes.outlines.through import through
-from carom.shapes.outlines.track import Track, tracks
+from carom.shapes.outlines.track import brisk_track, tracks
 from carom.shapes.outlines.walls import Frame, builder, frame_of, tolerance_in, walled
 from carom.shapes.shape import Shape, ShapeOptions
 from carom.typing import Pair, Vector
@@ -80,16 +80,21 @@ def bezier_chains(curves: Iterable[Sequence[Vector]], tolerance: float) -> list[
     It takes a tenth of the time.
     """
     chains: list[Chain | None] = []
-    ways: list[tuple[Chain, Track]] = []
+    framed: list[tuple[Chain, Cubic]] = []
     for places in curves:
         try:
             cubic, within, frame = _framed(places, tolerance)
         except InvalidArgument:
             chains.append(None)
         else:
-            chain = Chain([], within, frame)
-            chains.append(chain)
-            ways += [(chain, track) for track in tracks([cubic])]
+            framed.append((Chain([], within, frame), cubic))
+            chains.append(framed[-1][0])
+    brisk = are_brisk([cubic for _, cubic in framed])
+    ways = [
+        (chain, track)
+        for (chain, cubic), is_brisk in zip(framed, brisk, strict=True)
+        for track in ([brisk_track(cubic)] if is_brisk else tracks([cubic]))
+    ]
     found = follow_abreast([track for _, track in ways], [chain.tolerance for chain, _ in ways])
     for (chain, track), bows in zip(ways, found, strict=True):
         chain.bows.extend(follow(track, chain.tolerance) if bows is None else bows)

@@ -140,6 +140,11 @@ def tracks(cubics: Sequence[Cubic]) -> list[Track]:
     return [*runs, Track(run, start, last)] if run else runs
 
 
+def brisk_track(cubic: Cubic) -> Track:
+    """The only track of a cubic without a tip."""
+    return Track([cubic], _directions(cubic, 0.0, tip=False)[1], _directions(cubic, 1.0, tip=False)[0])
+
+
 def _smooth_parts(cubic: Cubic) -> Iterator[tuple[Cubic, complex, complex]]:
     """The parts of a cubic between its cusps, with the directions at their ends; none of one that is a point."""
     if cubic.size() == 0.0:

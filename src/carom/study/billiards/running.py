@@ -22,6 +22,8 @@ from carom.world import World
 PARTS, SETTLING = 40, 10
 #: Impacts after which changes of many balls are scaled, so few that none overflows.
 SCALED = 50
+#: Velocities that are reckoned one by one, as operations on all of them at once would take longer.
+FEW = 4
 #: The planes of the four coordinates of a change.
 PLANES = tuple(combinations(range(4), 2))
 
@@ -112,7 +114,8 @@ def _bounces(world: World, seconds: float) -> Rows:
     hits: Rows = world.run(seconds, seconds).view(np.ndarray)
     if len(world.balls) != count:
         raise refuse("world", "must keep its balls within its bounds", world)
-    bounces: Rows = hits[hits["kind"] == BOUNCE]
+    bounced = hits["kind"] == BOUNCE
+    bounces: Rows = hits if bounced.all() else hits[bounced]
     return bounces
 
 
@@ -183,7 +186,7 @@ class _ManyBalls:
         curvature = 1.0 / (radius[first] + radius[second])[pairs]
         bent[:, :, pairs] = bounce_maps(normal[:, pairs], apart, curvature)[2:, :2]
         share = np.where(pairs, mass[second] / (mass[first] + mass[second]), 1.0)
-        columns = np.concatenate((flights, normal, bent.reshape(4, -1), [share, share - 1.0]))
+        columns = np.concatenate((flights, normal, bent.reshape(4, -1), [share]))
         grown = self._through(first.tolist(), second.tolist(), columns.tolist())
         last = np.full(len(ids), began)
         for balls in (first, second):
@@ -197,13 +200,13 @@ class _ManyBalls:
         """The logarithm of what changes are divided by in impacts of the first balls on walls or second balls.
 
         The columns have how long the flights of the first and the second ball before each took, the normal n, the four
-        numbers of the matrix b, row after row, and the shares of the first and of the second ball, by their masses, in
-        what changes between them. There the change between the two, or of the first alone on a wall, becomes
+        numbers of the matrix b, row after row, and the share of the first ball, by their masses, in what changes
+        between them. There the change between the two, or of the first alone on a wall, becomes
         δr - 2 n (n·δr) and δv - 2 n (n·δv) + b δr. Lists in lists would cost as much again.
         """
         scale, changes = 0.0, [tuple(change) for change in self._change.tolist()]
         each = zip(first, second, *columns, strict=True)
-        for number, (one, other, flown, its_flown, nx, ny, a, b, c, d, share, its_share) in enumerate(each):
+        for number, (one, other, flown, its_flown, nx, ny, a, b, c, d, share) in enumerate(each):
             x, y, vx, vy = changes[one]
             x, y = x + flown * vx, y + flown * vy
             if other < 0:
@@ -220,7 +223,7 @@ class _ManyBalls:
                 dx, dy = x - ox, y - oy
                 across, faster = -2.0 * (nx * dx + ny * dy), -2.0 * (nx * (vx - ovx) + ny * (vy - ovy))
                 dvx, dvy = nx * faster + a * dx + b * dy, ny * faster + c * dx + d * dy
-                dx, dy = nx * across, ny * across
+                dx, dy, its_share = nx * across, ny * across, share - 1.0
                 changes[one] = (x + share * dx, y + share * dy, vx + share * dvx, vy + share * dvy)
                 changes[other] = (
                     ox + its_share * dx,
@@ -248,7 +251,7 @@ def _histories(
 
     For two that meet, the velocity of the first one as the second has it, of shape (2, pairs); for all how long the
     flight of the first took, and that of the second. Rows tell the first ball's velocity alone; the other's is that
-    after its impact before, which its impulse tells. So a loop goes through the impacts of second balls.
+    after its impact before, which its impulse tells.
     """
     count, met = len(mass), second >= 0
     # How all balls begin, and then each impact twice: once for its first ball, and once for its second, if it has one.
@@ -267,13 +270,36 @@ def _histories(
     falls = gravity[:, None] * flown[1::2][met]
     pushes = (rows["impulse"] / mass[second])[met] * rows["normal"][met].T
     places = count + 1 + 2 * np.flatnonzero(met)
-    after_x, after_y = after.tolist()
-    across_x: Column = []
-    across_y: Column = []
-    columns = [places, before[places], *falls, *pushes]
-    for place, former, fall_x, fall_y, push_x, push_y in zip(*(column.tolist() for column in columns), strict=True):
-        x, y = after_x[former] + fall_x, after_y[former] + fall_y
-        across_x.append(x)
-        across_y.append(y)
-        after_x[place], after_y[place] = x - push_x, y - push_y
-    return rows["velocity"][met].T - np.array([across_x, across_y]), (flown[::2], flown[1::2])
+    across = _before(after, before[places], places, falls, pushes)
+    return rows["velocity"][met].T - across, (flown[::2], flown[1::2])
+
+
+def _before(after: Floats, former: Numbers, places: Numbers, falls: Floats, pushes: Floats) -> Floats:
+    """The velocities of second balls before impacts, of shape (2, impacts), whose own are noted at places of `after`.
+
+    Each is that after its `former` impact, and what it falls. Where that is known it is reckoned for many at once, and
+    then for those after them; the last few are cheaper one by one.
+    """
+    found = np.empty(falls.shape)
+    known = np.ones(after.shape[1], np.bool_)
+    known[places] = False
+    rest = np.arange(len(places))
+    while len(rest):
+        ready = known[former[rest]]
+        now = rest[ready]
+        rest = rest[~ready]
+        found[:, now] = after[:, former[now]] + falls[:, now]
+        after[:, places[now]] = found[:, now] - pushes[:, now]
+        known[places[now]] = True
+        if len(now) < FEW:
+            break
+    made: dict[int, tuple[float, float]] = {}
+    last: list[tuple[float, float]] = []
+    columns = places[rest], former[rest], *after[:, former[rest]], *falls[:, rest], *pushes[:, rest]
+    for place, earlier, x, y, fall_x, fall_y, push_x, push_y in zip(*(one.tolist() for one in columns), strict=True):
+        x, y = made.get(earlier, (x, y))
+        x, y = x + fall_x, y + fall_y
+        made[place] = x - push_x, y - push_y
+        last.append((x, y))
+    found[:, rest] = np.array(last).reshape(-1, 2).T
+    return found

@@ -8,6 +8,7 @@ import ezdxf
 import pytest
 
 import carom
+from carom.scene.drawings import reading
 from tests.clock import within
 
 
@@ -212,3 +213,19 @@ def test_what_ezdxf_warns_of_is_not_told_for_each_entity(tmp_path: Path, caplog:
     path.write_text("\n".join(lines))
     carom.Scene.load(path)
     assert not caplog.records
+
+
+def test_a_drawing_is_not_looked_at_any_more_once_there_are_faults_enough(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "ENOUGH_FAULTS", 3)
+
+    def draw(document: Any, space: Any) -> None:
+        block = document.blocks.new("many")
+        for k in range(5):
+            block.add_line((k, 0), (k, 1)).set_xdata("CAROM", [(1000, "kik=4")])
+        space.add_blockref("many", (0, 0))
+
+    said = said_of(saved(tmp_path, draw)).splitlines()
+    assert said[0].endswith(": 3 faults, and what comes after them was not looked at")
+    assert ["LINE" in line for line in said[1:]] == [True] * 3

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from pydantic import ValidationError
 
 from carom.scene.descriptors import BallDescriptor, WorldDescriptor
 from carom.scene.drawings import keywords
@@ -30,6 +31,29 @@ from carom.scene.shape_descriptors import CompoundDescriptor
 )
 def test_options_have_the_types_of_their_fields(name: str, text: str, option: tuple[str, Any]) -> None:
     assert keywords.of_shape(name, text) == option
+
+
+@pytest.mark.parametrize("name", sorted(keywords.NOT_NEGATIVE | keywords.POSITIVE))
+def test_signs_are_what_the_descriptors_want_them_to_be(name: str) -> None:
+    for value in (-1e-300, -0.0, 0.0, 1e-300, 1e300):
+        for model, table in (
+            (keywords.SHAPES["segment"], {"start": (0, 0), "end": (1, 0)}),
+            (BallDescriptor, {"position": (0, 0), "radius": 1}),
+        ):
+            if name not in model.model_fields:
+                continue
+            try:
+                model(**table, **{name: value})
+                fault = ""
+            except ValidationError as error:
+                fault = error.errors()[0]["type"]
+            told = ""
+            try:
+                keywords.check_signs({"layer": 1, name: value}, {name: "here"})
+            except ValueError as error:
+                told = str(error)
+            must = "be positive" if name == "mass" else "not be negative"
+            assert told == (f"here: must {must}, not {value}" if fault else "")
 
 
 def is_known(read: Callable[[str, str], Any], name: str) -> bool:

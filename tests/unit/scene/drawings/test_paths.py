@@ -91,6 +91,7 @@ def test_a_path_of_nothing_is_nothing() -> None:
         ("M 0 0 L 3", "L takes 2 numbers at a time, not 1"),
         ("M 0 0 L", "L takes 2 numbers at a time, not 0"),
         (" M 0 0 H 1 L 1 zero", "L takes 2 numbers at a time, not 1, in the command at character 12"),
+        ("M 0 0 L 1 2 u,3 w", "must hold numbers alone, not 'u'"),
         ("M 0 0 X 3", "must hold numbers alone, not 'X'"),
         ("M 0 0 L 1 nan", "must hold numbers alone, not 'n"),
         ("M 0 0 L 1 1e999", "must be finite"),
@@ -110,8 +111,15 @@ def test_hostile_paths_take_no_time(data: str) -> None:
         subpaths(data)
 
 
+@pytest.mark.parametrize("text", ["1 1_0", "nan", "1 infinity", "1\u00a02", "1 1e999", "1 2e", "0x1"])
+def test_what_only_python_takes_for_a_number_is_none(text: str) -> None:
+    with pytest.raises(ValueError, match=r"must hold numbers alone|must be finite"):
+        numbers(text)
+
+
 def test_lists_of_points_are_pairs() -> None:
     assert points("0,0 1-1 2.5.5") == [(0.0, 0.0), (1.0, -1.0), (2.5, 0.5)]
     assert numbers(" 1,\n2 ") == [1.0, 2.0]
+    assert numbers("+1.5e1,-.5\t2.E-1") == numbers("+1.5e1-.5,2.E-1") == [15.0, -0.5, 0.2]
     with pytest.raises(ValueError, match="must be pairs of numbers"):
         points("1 2 3")

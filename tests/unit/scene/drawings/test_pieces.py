@@ -7,7 +7,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom.scene.drawings.curves import fitted
-from carom.scene.drawings.pieces import Conic, Course, Cubic, Matrix, Piece, Straight, arcs_of, is_bare, is_nothing
+from carom.scene.drawings.pieces import (
+    Conic,
+    Course,
+    Cubic,
+    Matrix,
+    Piece,
+    Straight,
+    arcs_of,
+    is_bare,
+    is_nothing,
+    moved,
+)
 
 NUMBERS = st.floats(-10.0, 10.0)
 PLACES = st.tuples(NUMBERS, NUMBERS)
@@ -43,6 +54,16 @@ def test_what_is_turned_and_mirrored_is_round_and_what_is_stretched_is_not() -> 
     assert isclose(circle.moved(Matrix(1.2, 1.6, 1.6, -1.2)).radius, 6.0)
     assert not circle.moved(Matrix(1.0, 0.0, 0.0, 1.001)).round
     assert not circle.moved(Matrix(1.0, 0.0, 0.01, 1.0)).round
+
+
+def test_an_outline_is_transformed_piece_by_piece_and_its_joints_are_one_place() -> None:
+    a, b, c, d = (0.0, 0.0), (2.0, 1.0), (3.0, 3.0), (1.0, 5.0)
+    circle = Conic((1.0, 5.0), (1.0, 0.0), (0.0, 1.0))
+    outline: list[Piece] = [Straight(a, b), Cubic(b, (3.0, 0.0), (4.0, 1.0), c), circle, Straight(c, d), Straight(b, a)]
+    turned = moved(outline, Matrix(0.6, 0.8, -0.8, 0.6, 1.0, 2.0))
+    assert turned == [piece.moved(Matrix(0.6, 0.8, -0.8, 0.6, 1.0, 2.0)) for piece in outline]
+    assert turned[0].end is turned[1].start
+    assert turned[1].end is turned[3].start
 
 
 @pytest.mark.parametrize(

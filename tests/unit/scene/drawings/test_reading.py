@@ -1,8 +1,11 @@
 """Files of drawings as scenes: tolerances, joints, and how long it takes."""
 
+import gc
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
+from time import process_time
 
 import pytest
 
@@ -165,6 +168,71 @@ scene = carom.Scene.load(sys.argv[1])
 status = Path("/proc/self/status").read_text().split()  # what getrusage tells may be of the process that started this
 print(len(scene.shapes), time.process_time() - began, int(status[status.index("VmHWM:") + 1]) / 1000)
 """
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [
+        '<line x1="q" x2="3"/>',
+        '<g><g><line x2="3" data-carom-kick="-1"/></g></g>',
+        '<line x2="3" data-carom-mass="1"/>',
+    ],
+)
+def test_a_drawing_is_not_looked_at_any_more_once_there_are_faults_enough(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: str
+) -> None:
+    monkeypatch.setattr(reading, "ENOUGH_FAULTS", 50)
+    said = refusal(tmp_path, fault * 49).splitlines()
+    assert said[0].endswith(": 49 faults")
+    assert said[-1] == "  and 9 more"
+    for count in (50, 60):
+        said = refusal(tmp_path, f"<g>{fault * count}</g>").splitlines()
+        assert said[0].endswith(": 50 faults, and what comes after them was not looked at")
+        assert said[-1] == "  and 10 more"
+        assert len(said) == 42
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wrong", ['y2="q"', 'y2="2" data-carom-kick="-1"', 'y2="2" data-carom-kik="1"'])
+def test_a_hundred_thousand_faults_are_told_within_a_second_of_the_processor(tmp_path: Path, wrong: str) -> None:
+    path = tmp_path / "a.svg"
+    path.write_text(svg("".join(f'<line id="a{k}" x1="{k}" {wrong}/>' for k in range(100_000))))
+    began = process_time()
+    with pytest.raises(carom.SceneError, match="1000 faults, and what comes after them was not looked at"):
+        carom.Scene.load(path)
+    assert process_time() - began < 1.0
+
+
+def test_what_is_made_of_a_drawing_counts_as_old_garbage_and_what_is_frozen_stays_frozen(tmp_path: Path) -> None:
+    lines = "".join(f'<line x1="{k}" y1="0" x2="{k}" y2="9"/>' for k in range(3000))
+    for frozen in (False, True):
+        gc.collect()  # so that none is due soon
+        if frozen:
+            gc.freeze()
+        count = gc.get_freeze_count()
+        try:
+            scene = drawn(tmp_path, lines)
+            assert gc.isenabled()
+            assert gc.get_freeze_count() >= 0.9 * count  # some die meanwhile
+            assert frozen or any(one is scene.shapes[7] for one in gc.get_objects(generation=2))
+        finally:
+            gc.unfreeze()
+
+
+def test_elements_with_as_many_different_options_take_little_room(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "LONGEST_FILE", 10**6)  # that much is set aside for the file
+    place = '<rect x="{0}" y="{1}" width="5" height="4" data-carom-elasticity="{2}" id="a{0}"/>'
+    rectangles = "".join(place.format(9 * (k % 50), 9 * (k // 50), 0.001 * k) for k in range(1, 1001))
+    tracemalloc.start()
+    try:
+        scene = drawn(tmp_path, rectangles)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(scene.shapes) == 4000
+    assert most < 4_000_000
 
 
 @pytest.mark.slow

@@ -2,6 +2,9 @@
 
 from typing import Any
 
+import pytest
+
+from carom.scene.drawings import shaping
 from carom.scene.drawings.bodies import Body
 from carom.scene.drawings.pieces import Conic, Straight
 from carom.scene.drawings.shaping import Shaper
@@ -80,3 +83,33 @@ def test_a_gate_that_opens_along_itself_is_refused() -> None:
     made = shaped(body(LINE, kind="gate", direction=(1.0, 0.0)), body(LINE, kind="gate"))
     assert "data-carom-direction: must" in made._faults.first[0]
     assert [one.kind for one in made.shapes] == ["gate"]
+
+
+def test_each_piece_has_its_own_options_however_many_there_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shaping, "MOST_SAMPLES", 3)
+    given = [{"elasticity": 0.1 * k, "kick": 1.0 * (k % 2), "velocity": (1.0 * k, 0.0)} for k in range(9)]
+    made = shaped(*(body(LINE, motion="kinematic", **options) for options in given), body(CORNER, elasticity=0.5))
+    assert len(made._samples) <= 3
+    tables: list[dict[str, Any]] = [{"end": (4, 0), "motion": "kinematic", **options} for options in given]
+    tables += [{"end": (4, 0), "elasticity": 0.5}, {"start": (4, 0), "end": (4, 4), "elasticity": 0.5}]
+    one_by_one = Scene(shapes=[{"kind": "segment", "start": (0, 0), "name": "name", **table} for table in tables])
+    assert made.shapes == list(one_by_one.shapes)
+    assert made.shapes[0].plain() == one_by_one.shapes[0].plain()
+
+
+def test_a_wrong_value_among_many_right_ones_is_told() -> None:
+    values = [0.5, 0.25, -1.0, 0.0, 0.75]
+    made = shaped(*(body(LINE, elasticity=value) for value in values), body(CIRCLE, ball=True, mass=0.0))
+    assert [shape.elasticity for shape in made.shapes] == [0.5, 0.25, 0.0, 0.75]
+    assert made._faults.first == [
+        "here: data-carom-elasticity: must not be negative, not -1.0",
+        "here: data-carom-mass: must be positive, not 0.0",
+    ]
+
+
+def test_bodies_are_let_go_when_they_are_made() -> None:
+    bodies = [body(LINE) for _ in range(3)]
+    shaper = Shaper(Faults(Scene), 1e-3)
+    shaper.add_all(bodies)
+    assert bodies == []
+    assert len(shaper.shapes) == 3

@@ -4,11 +4,11 @@ import random
 
 import pytest
 
-from carom.shapes.outlines.abreast import FEW, follow_abreast
+from carom.shapes.outlines.abreast import FEW, are_brisk, follow_abreast
 from carom.shapes.outlines.bow import Bow
 from carom.shapes.outlines.cubic import Cubic
 from carom.shapes.outlines.following import follow
-from carom.shapes.outlines.track import Track, tracks
+from carom.shapes.outlines.track import STILL, Track, _is_brisk, _tips, brisk_track, tracks
 
 
 def some_tracks(count: int) -> list[Track]:
@@ -50,3 +50,24 @@ def test_few_curves_and_rare_ones_are_left_to_be_followed_alone() -> None:
     found = follow_abreast(many, [0.1] * len(many))
     assert found[0] is None
     assert any(found)
+
+
+def test_what_is_sure_to_have_no_tip_has_none_and_is_one_track() -> None:
+    source = random.Random(5)
+    cubics = [Cubic(*(complex(source.gauss(0, 1), source.gauss(0, 1)) for _ in range(4))) for _ in range(400)]
+    cubics += [
+        Cubic(0j, 1 + 1j, 0 + 1j, 1 + 0j),
+        Cubic(0j, 0j, 1 + 1j, 2 + 0j),
+        Cubic(1j, 1j, 1j, 1j),
+        Cubic(0j, 3j, 1j, 2j),
+    ]
+    sure = are_brisk(cubics)
+    assert sure == [_is_brisk(cubic, STILL * cubic.size()) and cubic.size() > 0.0 for cubic in cubics]
+    assert sum(sure) > 350
+    assert sure[400:] == [False] * 4
+    for cubic in (cubic for cubic, is_sure in zip(cubics, sure, strict=True) if is_sure):
+        assert _tips(cubic) == []
+        (expected,) = tracks([cubic])
+        found = brisk_track(cubic)
+        assert (found.cubics, found.out, found.into) == (expected.cubics, expected.out, expected.into)
+    assert are_brisk([]) == []

@@ -10,7 +10,7 @@ import pytest
 
 import carom
 from carom import study
-from carom.study.billiards.running import _histories, _ManyBalls
+from carom.study.billiards.running import _before, _histories, _ManyBalls
 from carom.study.billiards.tangents import walls_of
 from tests.worlds import continuous_world
 
@@ -73,6 +73,24 @@ def test_how_fast_balls_meet_is_told_for_every_pair() -> None:
             for one, flight in zip(first, zip(*flights, strict=True), strict=True)
         ]
         assert np.cumsum(np.array(lasted)[mine]) == pytest.approx(rows["time"][mine])
+
+
+@pytest.mark.parametrize("length", [0, 1, 7, 60])
+def test_velocities_of_second_balls_are_reckoned_one_after_the_other_to_the_last_bit(length: int) -> None:
+    generator = np.random.default_rng(length)
+    # Chains of impacts in which a ball is always the second: many of up to a few, and one that is long.
+    former = np.arange(200)
+    free = np.flatnonzero(former % 5 == 0)
+    former = np.where(former % 5 == 0, former, former - 1)
+    places = np.setdiff1d(np.arange(200), free)
+    former, places = np.append(former[places], np.arange(200, 200 + length)), np.append(places, 201 + np.arange(length))
+    after = generator.normal(size=(2, 201 + length))
+    falls, pushes = generator.normal(size=(2, 2, len(places)))
+    found, noted = _before(after.copy(), former, places, falls, pushes), after.copy()
+    for number, (place, earlier) in enumerate(zip(places, former, strict=True)):
+        expected = noted[:, earlier] + falls[:, number]
+        noted[:, place] = expected - pushes[:, number]
+        assert found[:, number].tolist() == expected.tolist()
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.8])
