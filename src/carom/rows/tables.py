@@ -49,6 +49,12 @@ def dtype_of(row: type) -> np.dtype[Any]:
     return np.dtype([(name, *field.__metadata__) for name, field in fields.items()])
 
 
+def dtype_in_order(row: type, order: str) -> np.dtype[Any]:
+    """The same with its fields in another order, whose names stand between spaces."""
+    found = dtype_of(row)
+    return np.dtype([(name, found[name]) for name in order.split()])
+
+
 class Numbered(TypedDict):
     """What the rows of shapes and balls have in common."""
 

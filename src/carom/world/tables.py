@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.compiler.block import Block
 from carom.errors import InvalidArgument
 from carom.rows.ball import BALL, BallRow
-from carom.rows.flight import FLIGHT
+from carom.rows.flight import FLIGHT, QUEUE
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.island import BODY, ISLAND_CONTACT
@@ -137,7 +137,7 @@ class Arrays:
         self._hits_seen: Rows | None = None
         self.relations = np.zeros(32, RELATION)
         self.flights = np.zeros(0, FLIGHT)
-        self.queue = np.zeros(0, "i4")
+        self.queue = np.zeros(0, QUEUE)
         self.island = (np.zeros(0, BODY), np.zeros(0, ISLAND_CONTACT))
 
     @property
@@ -205,10 +205,8 @@ class Arrays:
         if state["detection"] != DISCRETE and len(self.flights) < 2 * self.balls.count:
             # The upper half is for the copies that a step which fails goes back to.
             count = len(self.flights) // 2
-            flights = np.zeros(2 * len(self.balls.rows), FLIGHT)
-            flights[:count] = self.flights[:count]
-            self.flights = flights
-            self.queue = np.zeros(len(self.balls.rows), "i4")
+            self.flights = grown(self.flights, 2 * len(self.balls.rows), count)
+            self.queue = grown(self.queue, len(self.balls.rows), 0)
 
     def _list_movers(self) -> None:
         """List the kinematic shapes that move behind all shapes, as steps of the continuous mode keep them listed."""

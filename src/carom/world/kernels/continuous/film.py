@@ -10,7 +10,7 @@ from __future__ import annotations
 from carom.constants import EVENTS_BETWEEN_PAUSES, PARTING_ROUNDS
 from carom.geometry.instants import is_before
 from carom.rows.ball import BallRow
-from carom.rows.flight import FlightRow
+from carom.rows.flight import FlightRow, QueueRow
 from carom.rows.hit import BOUNCE, HitRow
 from carom.rows.index import CellRow, IndexRow, SlotRow
 from carom.rows.island import BodyRow, IslandContactRow
@@ -64,7 +64,7 @@ def step_continuous(
     hits: Table[HitRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
 ) -> int:
     """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on, as `step_discrete`.
@@ -174,7 +174,7 @@ def fly(
     hits: Table[HitRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
 ) -> int:
     """DONE when all events up to the horizon are dealt with; NEEDS_ROOM if there may be too little for the next one."""
@@ -183,7 +183,7 @@ def fly(
     while True:
         if lacks_room_for_event(state, len(hits), relations, most):
             return NEEDS_ROOM
-        i = row_of(queue[0]) if state["queued"] > 0 else -1
+        i = row_of(queue[0]["ball"]) if state["queued"] > 0 else -1
         change, change_low, _of_regions = next_change(state)
         next_is_shape = i < 0 or not is_before(
             float(flights[i]["due_time"]), float(flights[i]["due_low"]), change, change_low

@@ -1,11 +1,12 @@
 """The queue of coming events: a binary heap of balls, each with its next event; ties go to the ball added first.
 
-`queue` holds rows of balls; a ball's place in it stands in its flight, so an event can be moved or taken out.
+A row of `queue` holds a ball and the time of its event, so that most are compared without a look at their flights; and,
+for the ball whose row it is, where that stands in the queue, so that an event can be moved or taken out.
 """
 
 from __future__ import annotations
 
-from carom.rows.flight import NO_PLACE, FlightRow
+from carom.rows.flight import NO_PLACE, FlightRow, QueueRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 
@@ -27,58 +28,72 @@ def is_sooner(flights: Table[FlightRow], first: int, second: int) -> bool:
     return first < second
 
 
-def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[int], ball: int) -> None:
+def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
     """Put a ball into the queue, or move it to where its event's time belongs."""
-    place = row_of(flights[ball]["place"])
+    place = row_of(queue[ball]["place"])
     if place == NO_PLACE:
         place = int(state["queued"])
         state["queued"] = place + 1
-    place = sift_up(flights, queue, ball, place)
-    sift_down(state, flights, queue, ball, place)
+        sift_up(flights, queue, ball, place)
+    else:
+        move_event(state, flights, queue, ball, place)
 
 
-def take_event(state: StateRow, flights: Table[FlightRow], queue: Table[int], ball: int) -> None:
+def take_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
     """Take a ball out of the queue, if it is there."""
-    place = row_of(flights[ball]["place"])
+    place = row_of(queue[ball]["place"])
     if place == NO_PLACE:
         return
-    flights[ball]["place"] = NO_PLACE
+    queue[ball]["place"] = NO_PLACE
     last = int(state["queued"]) - 1
     state["queued"] = last
     if place < last:
-        moved = row_of(queue[last])
-        sift_down(state, flights, queue, moved, sift_up(flights, queue, moved, place))
+        move_event(state, flights, queue, row_of(queue[last]["ball"]), place)
 
 
-def sift_up(flights: Table[FlightRow], queue: Table[int], ball: int, place: int) -> int:
+def move_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
+    """Put a ball where it belongs, which is above the free `place`, there or below it."""
+    if sift_up(flights, queue, ball, place) == place:
+        sift_down(state, flights, queue, ball, place)
+
+
+def sift_up(flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> int:
     """The place of a ball after it was moved up from the free `place` as far as it belongs, and written there."""
+    time = float(flights[ball]["due_time"])
     while place > 0:
-        parent = (place - 1) // 2
-        above = row_of(queue[parent])
-        if not is_sooner(flights, ball, above):
+        parent = (place - 1) >> 1
+        above, least = row_of(queue[parent]["ball"]), float(queue[parent]["time"])
+        if not (time < least or (time == least and is_sooner(flights, ball, above))):
             break
-        queue[place] = above
-        flights[above]["place"] = place
+        stand_at(queue, place, above, least)
         place = parent
-    queue[place] = ball
-    flights[ball]["place"] = place
+    stand_at(queue, place, ball, time)
     return place
 
 
-def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[int], ball: int, place: int) -> None:
-    """Move a ball down from `place` as far as it belongs."""
-    count = int(state["queued"])
-    while True:
-        child = 2 * place + 1
-        if child >= count:
-            break
-        if child + 1 < count and is_sooner(flights, row_of(queue[child + 1]), row_of(queue[child])):
-            child += 1
-        below = row_of(queue[child])
-        if not is_sooner(flights, below, ball):
-            break
-        queue[place] = below
-        flights[below]["place"] = place
+def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
+    """Move a ball down from `place` as far as it belongs, which is no higher.
+
+    Those below move up, the sooner of every two, down to the end, and the ball goes up from there: most belong low.
+    """
+    last = int(state["queued"]) - 1
+    child = 2 * place + 1
+    while child <= last:
+        time = float(queue[child]["time"])
+        if child < last:
+            other = float(queue[child + 1]["time"])
+            one, two = row_of(queue[child]["ball"]), row_of(queue[child + 1]["ball"])
+            if other < time or (other == time and is_sooner(flights, two, one)):
+                child += 1
+                time = other
+        stand_at(queue, place, row_of(queue[child]["ball"]), time)
         place = child
-    queue[place] = ball
-    flights[ball]["place"] = place
+        child = 2 * place + 1
+    sift_up(flights, queue, ball, place)
+
+
+def stand_at(queue: Table[QueueRow], place: int, ball: int, time: float) -> None:
+    """Let a ball stand at a place of the queue."""
+    queue[place]["time"] = time
+    queue[place]["ball"] = ball
+    queue[ball]["place"] = place

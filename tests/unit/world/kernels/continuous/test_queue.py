@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from carom.geometry.instants import is_before
-from carom.rows.flight import FLIGHT, NO_PLACE
+from carom.rows.flight import FLIGHT, NO_PLACE, QUEUE
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.queue import is_sooner, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
@@ -24,8 +24,8 @@ def order_of(flights: Rows, ball: int) -> tuple[float, float, int, int]:
 @pytest.mark.parametrize("seed", range(3))
 def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(seed: int) -> None:
     random = Random(seed)
-    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS, "i4")
-    flights["place"] = NO_PLACE
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS, QUEUE)
+    queue["place"] = NO_PLACE
     waiting: set[int] = set()
     for _ in range(600):
         ball = random.randrange(BALLS)
@@ -39,15 +39,15 @@ def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(
             take_event(state, flights, queue, ball)
             waiting.discard(ball)
         assert state["queued"] == len(waiting)
-        assert not waiting or queue[0] == min(waiting, key=lambda ball: order_of(flights, ball))
+        assert not waiting or queue[0]["ball"] == min(waiting, key=lambda ball: order_of(flights, ball))
         for place in range(len(waiting)):
-            assert flights[queue[place]]["place"] == place
+            assert queue[queue[place]["ball"]]["place"] == place
     order = []
     while state["queued"]:
-        order.append(int(queue[0]))
+        order.append(int(queue[0]["ball"]))
         take_event(state, flights, queue, order[-1])
     assert order == sorted(waiting, key=lambda ball: order_of(flights, ball))
-    assert (flights["place"] == NO_PLACE).all()
+    assert (queue["place"] == NO_PLACE).all()
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -56,12 +56,12 @@ def test_the_order_in_which_balls_were_put_in_does_not_show(seed: int) -> None:
     flights["due_time"], flights["due_key"] = random.integers(0, 4, BALLS), random.integers(0, 2, BALLS)
     orders: list[list[int]] = []
     for _ in range(3):
-        state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, "i4"), []
-        flights["place"] = NO_PLACE
+        state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, QUEUE), []
+        queue["place"] = NO_PLACE
         for ball in random.permutation(BALLS).tolist():
             put_event(state, flights, queue, ball)
         while state["queued"]:
-            order.append(int(queue[0]))
+            order.append(int(queue[0]["ball"]))
             take_event(state, flights, queue, order[-1])
         orders.append(order)
     assert orders[0] == orders[1] == orders[2]
