@@ -12,6 +12,7 @@ from carom.geometry.vector import dot, length, length_squared
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_BALL, NO_BALL, FlightRow
 from carom.rows.masks import may_collide
+from carom.rows.prefetch import prefetch
 from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -25,6 +26,9 @@ from carom.world.kernels.step.relations import find_relation
 
 #: In place of a column or line: there was none.
 NO_CELL = -1 << 40
+
+#: As many cells around another are asked at most for those who are filed there before the first of them is looked at.
+CELLS_AHEAD = 16
 
 
 def predict_balls(
@@ -117,6 +121,11 @@ def predict_cells(
     falls = flight["reach"] > 0.0
     until = event_age(flight) * SWEEP_ROUNDING
     tests = 0
+    if (right - left) * (top - bottom) <= CELLS_AHEAD:
+        # All at once, or each would be waited for in turn.
+        for row in range(bottom, top + 1):
+            for place in range(left, right + 1):
+                prefetch(flights, row_of(heads[(place + stride * row + level) & mask]))
     for row in range(bottom, top + 1):
         known = -1 <= row - line <= 1
         for place in range(left, right + 1):
