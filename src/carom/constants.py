@@ -202,10 +202,6 @@ BIN_REACH = 0.5
 #: Balls up to this many are compared each with each in continuous mode, without cells. Changes the speed alone.
 FEW_FLIGHTS = 6
 
-#: Square of a distance, relative to that of two balls' radii: farther off than this, whether two that fly towards each
-#: other pass by is not told before their time of impact is computed. Larger, and rounding (1e-16 of it) may decide.
-FAR_AWAY = 1e8
-
 #: Factor on the way of the balls in a span, far above its rounding (1e-15).
 SWEEP_ROUNDING = 1.000001
 

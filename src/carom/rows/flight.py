@@ -107,9 +107,13 @@ class FlightRow(CourseRow):
 
 
 class QueueRow(TypedDict):
-    """A place in the queue of coming events; and of the ball that has the same row where it stands."""
+    """A place in the queue of coming events; and of the ball that has the same row when it is due, and where it stands.
+
+    There is one more row than balls: its `time` is that up to which the queue of a crowd goes.
+    """
 
     time: f8  # of the event
+    due: f8  # of the ball with this row; infinite if nothing is to come for it
     ball: i4
     place: i4  # of the ball with this row, or NO_PLACE
 

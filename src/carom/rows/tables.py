@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 Rows = NDArray[Any]
 Row = Any
 
+#: Bytes of a line of memory, all of which comes near at once, on most processors.
+LINE = 64
+
 T = TypeVar("T")
 
 

@@ -76,7 +76,7 @@ def copy_of(arrays: Arrays) -> Arrays:
     film.states = np.array(arrays.states)
     film.fill(arrays.balls.used, arrays.shapes.used)
     film.relations, film.flights = arrays.relations.copy(), arrays.flights.copy()
-    film.queue = np.zeros(len(arrays.balls.rows), QUEUE)
+    film.queue = np.zeros(len(arrays.balls.rows) + 1, QUEUE)
     film.prepare()
     return film
 

@@ -7,7 +7,7 @@ from math import inf
 from carom.constants import FEW_FLIGHTS
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow, QueueRow
+from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_TICK, NOTHING, TICK, FlightRow, QueueRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.relation import INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
@@ -18,7 +18,7 @@ from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, c
 from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
 from carom.world.kernels.continuous.predict_shapes import asks_all_fixed, predict_fixed, predict_shapes
-from carom.world.kernels.continuous.queue import put_event, row_of, take_event
+from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
 
@@ -37,11 +37,10 @@ def predict_all(
     queue: Table[QueueRow],
 ) -> bool:
     """True when what comes next was foreseen for every ball; False if the cells of the balls need more room."""
-    state["queued"] = 0
+    open_queue(state, queue)
     state["binned"] = 0
     state["bin_levels"] = 1 if state["balls"] > 1 and may_meet(state, balls) else 0
     for i in range(state["balls"]):
-        queue[i]["place"] = NO_PLACE
         note_course(state, balls[i], flights[i])
         flights[i]["row"] = i
         flights[i]["body"] = 0
@@ -136,10 +135,8 @@ def queue_up(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow],
         flight["due_time"] = flight["event_time"]
         flight["due_low"] = flight["event_low"]
         flight["due_key"] = flight["event_key"]
-    elif queue[i]["place"] != NO_PLACE:
-        take_event(state, flights, queue, i)
-        return
     else:
+        take_event(state, flights, queue, i)
         return
     put_event(state, flights, queue, i)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, inf
 
-from carom.constants import BIN_REACH, FAR_AWAY, GAP_ROUNDING, SWEEP_ROUNDING
+from carom.constants import BIN_REACH, GAP_ROUNDING, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
 from carom.geometry.instants import is_before, later
 from carom.geometry.path import Path
@@ -26,6 +26,10 @@ from carom.world.kernels.step.relations import find_relation
 
 #: In place of a column or line: there was none.
 NO_CELL = -1 << 40
+
+#: Square of a distance, relative to that of two balls' radii: farther off than this, whether two that fly towards each
+#: other pass by is not told before their time of impact is computed. Larger, and rounding (1e-16 of it) may decide.
+FAR_AWAY = 1e8
 
 #: As many cells around another are asked at most for those who are filed there before the first of them is looked at.
 CELLS_AHEAD = 16
@@ -176,10 +180,10 @@ def may_touch(flight: FlightRow, partner: FlightRow, until: float, gx: float, gy
     reach = SWEEP_ROUNDING * (float(flight["reach"]) + float(partner["reach"])) + slack
     away, nearing, speed = dx * dx + dy * dy, dx * wx + dy * wy, wx * wx + wy * wy
     gap = away - reach * reach
-    if nearing >= 0.0 or gap + 2.0 * nearing * until > 0.0:
-        return bool(gap < 0.0)
     # Of what comes from very far rounding leaves too little to tell whether it passes by.
-    return not nearing * nearing < speed * gap or away > FAR_AWAY * (reach * reach)
+    hits = (not nearing * nearing < speed * gap) | (away > FAR_AWAY * (reach * reach))
+    # All at once: which of them says no is up to chance, and most pairs get one.
+    return bool((gap < 0.0) | ((nearing < 0.0) & (not gap + 2.0 * nearing * until > 0.0) & hits))
 
 
 def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> bool:

@@ -2,13 +2,22 @@
 
 A row of `queue` holds a ball and the time of its event, so that most are compared without a look at their flights; and,
 for the ball whose row it is, where that stands in the queue, so that an event can be moved or taken out.
+
+Of a crowd, whose balls are filed in cells, the queue holds no more than what comes up to a time: what is foreseen for
+later is noted alone, as most of it will not come. When the queue is empty it is filled with what comes next.
 """
 
 from __future__ import annotations
 
+from math import inf
+
 from carom.rows.flight import NO_PLACE, FlightRow, QueueRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
+
+#: Part of the time for which the balls of a crowd wait for their next event on the whole: the queue is filled with what
+#: comes in it. More means a longer queue, less means it is filled more often.
+QUEUE_SHARE = 0.0625
 
 
 def row_of(number: int) -> int:
@@ -28,10 +37,42 @@ def is_sooner(flights: Table[FlightRow], first: int, second: int) -> bool:
     return first < second
 
 
+def open_queue(state: StateRow, queue: Table[QueueRow]) -> None:
+    """Let the queue be empty; nothing is to come for any ball."""
+    state["queued"] = 0
+    for i in range(state["balls"]):
+        queue[i]["place"] = NO_PLACE
+        queue[i]["due"] = inf
+    queue[len(queue) - 1]["time"] = -inf
+
+
+def fill_queue(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]) -> None:
+    """Where the queue of a crowd is empty, put those into it for whom something comes soon, if there are any."""
+    last, count = len(queue) - 1, int(state["balls"])
+    if state["binned"] == 0 or state["queued"] > 0 or queue[last]["time"] == inf:
+        return
+    now, least, wait, waiting = float(state["now"]), inf, 0.0, 0
+    for i in range(count):
+        due = float(queue[i]["due"])
+        if due < inf:
+            least = min(least, due)
+            wait += due - now
+            waiting += 1
+    until = least + QUEUE_SHARE * (wait / waiting) if waiting > 0 else inf
+    queue[last]["time"] = until
+    for i in range(count):
+        if queue[i]["due"] <= until and queue[i]["due"] < inf:
+            put_event(state, flights, queue, i)
+
+
 def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
-    """Put a ball into the queue, or move it to where its event's time belongs."""
+    """Put a ball into the queue, or move it to where its event's time belongs; if that is far off, note it alone."""
+    due = float(flights[ball]["due_time"])
+    queue[ball]["due"] = due
     place = row_of(queue[ball]["place"])
-    if place == NO_PLACE:
+    if state["binned"] != 0 and due > queue[len(queue) - 1]["time"]:
+        leave(state, flights, queue, ball, place)
+    elif place == NO_PLACE:
         place = int(state["queued"])
         state["queued"] = place + 1
         sift_up(flights, queue, ball, place)
@@ -40,8 +81,13 @@ def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]
 
 
 def take_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
-    """Take a ball out of the queue, if it is there."""
-    place = row_of(queue[ball]["place"])
+    """Take a ball out of the queue, if it is there: nothing is to come for it."""
+    queue[ball]["due"] = inf
+    leave(state, flights, queue, ball, row_of(queue[ball]["place"]))
+
+
+def leave(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
+    """Take a ball out of its place in the queue, if it has one."""
     if place == NO_PLACE:
         return
     queue[ball]["place"] = NO_PLACE

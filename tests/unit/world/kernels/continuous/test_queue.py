@@ -1,5 +1,6 @@
 """The queue of coming events: whoever comes and goes, the earliest stands in front."""
 
+from math import inf
 from random import Random
 from typing import Any
 
@@ -9,7 +10,7 @@ import pytest
 from carom.geometry.instants import is_before
 from carom.rows.flight import FLIGHT, NO_PLACE, QUEUE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.queue import is_sooner, put_event, row_of, take_event
+from carom.world.kernels.continuous.queue import fill_queue, is_sooner, open_queue, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
 
 BALLS = 40
@@ -97,3 +98,45 @@ def test_of_two_at_one_instant_with_one_key_the_lower_row_comes_first() -> None:
 def test_a_row_is_handed_on_as_a_plain_number() -> None:
     assert row_of(np.int32(7)) == 7
     assert type(row_of(np.int32(7))) is int
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_of_a_crowd_the_queue_holds_what_comes_soon_and_all_come_in_order(seed: int) -> None:
+    random = Random(seed)
+    count = 400
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(count, FLIGHT), np.zeros(count + 1, QUEUE)
+    state["balls"], state["binned"] = count, 1
+    open_queue(state, queue)
+    waiting: set[int] = set()
+
+    def let_wait(ball: int) -> None:
+        flights[ball]["due_time"] = state["now"] + random.choice((0.25, 1.0, random.expovariate(1.0)))
+        flights[ball]["due_low"] = random.choice((0.0, 1e-17, -1e-17))
+        put_event(state, flights, queue, ball)
+        waiting.add(ball)
+
+    for ball in range(count):
+        let_wait(ball)
+    assert state["queued"] == 0
+    longest = 0
+    for _ in range(3000):
+        fill_queue(state, flights, queue)
+        longest = max(longest, int(state["queued"]))
+        if not waiting:
+            break
+        first = int(queue[0]["ball"])
+        assert first == min(waiting, key=lambda ball: order_of(flights, ball))
+        for place in range(int(state["queued"])):
+            assert queue[queue[place]["ball"]]["place"] == place
+        state["now"] = flights[first]["due_time"]
+        take_event(state, flights, queue, first)
+        waiting.discard(first)
+        # Others are put elsewhere, sooner or later, or taken out.
+        for _ in range(random.randrange(2)):
+            let_wait(random.randrange(count))
+        other = random.randrange(count)
+        take_event(state, flights, queue, other)
+        waiting.discard(other)
+    assert not waiting
+    assert (int(state["queued"]), float(queue[count]["time"])) == (0, inf)
+    assert 4 < longest < count
