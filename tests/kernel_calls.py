@@ -34,8 +34,10 @@ from carom.world.kernels.broad_phase.pairs import (
 )
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import MOVING, cell_span, locate
+from carom.world.kernels.continuous.flight import age_now
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
-from carom.world.kernels.continuous.predict import meet_shapes, predict_all, predict_own
+from carom.world.kernels.continuous.predict import predict_all, predict_own
+from carom.world.kernels.continuous.predict_shapes import predict_shapes
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.step.beginning import begin_step
 from carom.world.kernels.step.discrete import rebuild_index
@@ -191,7 +193,9 @@ def foresee_own(arrays: Arrays, i: int = 0) -> tuple[int, float, float, int]:
     """What comes next for a ball but for other balls, from now on: the event, its instant, and with whom."""
     balls, flights, relations = arrays.balls.rows, arrays.flights, arrays.relations
     predict_own(arrays.states[0], balls, flights, arrays.shapes.rows, relations, i)
-    meet_shapes(arrays.states[0], balls, flights, *film_tables(arrays), relations, i)
+    if arrays.states[0]["shapes"] > 0:
+        age = age_now(arrays.states[0], flights[i])
+        predict_shapes(arrays.states[0], balls[i], flights[i], *film_tables(arrays), relations, age)
     return foreseen(arrays, i)
 
 

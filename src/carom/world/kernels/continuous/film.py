@@ -42,7 +42,7 @@ from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
 from carom.world.kernels.continuous.predict import predict_all
-from carom.world.kernels.continuous.queue import fill_queue, row_of
+from carom.world.kernels.continuous.queue import front_of, row_of
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs, rebuild_index
 from carom.world.kernels.step.relations import relations_room
@@ -187,8 +187,7 @@ def fly(
     while True:
         if lacks_room_for_event(state, len(hits), relations, most):
             return NEEDS_ROOM
-        fill_queue(state, flights, queue)
-        i = row_of(queue[0]["ball"]) if state["queued"] > 0 else -1
+        i = front_of(state, flights, queue)
         change, change_low, _of_regions = next_change(state)
         next_is_shape = i < 0 or not is_before(
             float(flights[i]["due_time"]), float(flights[i]["due_low"]), change, change_low
@@ -205,7 +204,8 @@ def fly(
         if is_before(float(state["now"]), float(state["now_low"]), time, low):
             state["now"] = time
             state["now_low"] = low
-        prefetch_next(state, balls, flights, queue)
+        if state["binned"] != 0:
+            prefetch_next(state, balls, flights, queue)
         spent = int(state["spent"])
         state["renewals"] = 0
         deal_with(
@@ -235,8 +235,6 @@ def prefetch_next(
 ) -> None:  # fmt: skip
     """Of a crowd, have those at hand who come next after the first of the queue, and who are met by these."""
     half = len(flights) // 2
-    if state["binned"] == 0:
-        return
     for k in range(1, min(FRONT, int(state["queued"]))):
         ball = row_of(queue[k]["ball"])
         if k > 2:

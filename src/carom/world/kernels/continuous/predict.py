@@ -17,7 +17,7 @@ from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, op
 from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, note_course, place_after
 from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
-from carom.world.kernels.continuous.predict_shapes import asks_all_fixed, predict_fixed, predict_shapes
+from carom.world.kernels.continuous.predict_shapes import asks_all_fixed, known_until, predict_members, predict_shapes
 from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
@@ -52,7 +52,9 @@ def predict_all(
         if state["bin_levels"] != 0 and flights[i]["kind"] == FLYING:
             predict_balls(state, balls, heads, flights, relations, i, False)
     for i in range(state["balls"]):
-        meet_shapes(state, balls, flights, shapes, order, index, cells, members, relations, i)
+        if state["shapes"] > 0:
+            age = age_now(state, flights[i])
+            predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
         queue_up(state, flights, queue, i)
     return True
 
@@ -80,7 +82,9 @@ def predict(
     if state["bin_levels"] != 0:
         predict_balls(state, balls, heads, flights, relations, i, True)
     # After the balls: up to an impact with one of these few shapes are near.
-    meet_shapes(state, balls, flights, shapes, order, index, cells, members, relations, i)
+    if state["shapes"] > 0:
+        age = age_now(state, flights[i])
+        predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
     queue_up(state, flights, queue, i)
 
 
@@ -120,7 +124,8 @@ def file_anew(
         predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
     foresee_filing(state, balls[i], flight, age)
     if asks_all_fixed(state, index):
-        predict_fixed(state, balls[i], flight, shapes, order, relations, age)
+        until = known_until(state, flight)
+        predict_members(state, balls[i], flight, shapes, order, relations, 0, int(state["fixed"]), age, until)
     queue_up(state, flights, queue, i)
 
 
@@ -171,24 +176,6 @@ def predict_own(
     foresee_filing(state, ball, flight, age)
     if ball["relation"] != NO_RELATION:
         predict_relations(state, balls, flights, shapes, relations, i, age)
-
-
-def meet_shapes(
-    state: StateRow,
-    balls: Table[BallRow],
-    flights: Table[FlightRow],
-    shapes: Table[ShapeRow],
-    order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
-    relations: Table[RelationRow],
-    i: int,
-) -> None:
-    """Foresee the first impact of a ball with a shape."""
-    if state["shapes"] > 0:
-        age = age_now(state, flights[i])
-        predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
 
 
 def foresee_filing(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:

@@ -57,7 +57,8 @@ def predict_shapes(
     )
     if moves:
         if asks_all_fixed(state, index):
-            predict_fixed(state, ball, flight, shapes, order, relations, age)
+            until, fixed = known_until(state, flight), int(state["fixed"])
+            predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, until)
         else:
             predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age, False)
     if state["fixed"] < state["shapes"]:
@@ -71,22 +72,15 @@ def asks_all_fixed(state: StateRow, index: Table[IndexRow]) -> bool:
     )  # fmt: skip
 
 
-def predict_fixed(
-    state: StateRow,
-    ball: BallRow,
-    flight: FlightRow,
-    shapes: Table[ShapeRow],
-    order: Table[int],
-    relations: Table[RelationRow],
-    age: float,
-) -> None:
-    """Foresee the first impact with any static shape up to what is to come, or until the ball is filed anew.
+def known_until(state: StateRow, flight: FlightRow) -> float:
+    """The age of a flight up to which impacts with static shapes are looked for where all are asked.
 
-    Then it is looked for again, farther along the way.
+    That of what is to come, or when the ball is filed anew: then they are looked for farther along the way.
     """
-    end = age_at(flight, float(flight["file_time"]), float(flight["file_low"])) if state["binned"] != 0 else inf
-    end = min(end, event_age(flight))
-    predict_members(state, ball, flight, shapes, order, relations, 0, int(state["fixed"]), age, end)
+    until = event_age(flight)
+    if state["binned"] == 0:
+        return until
+    return min(until, age_at(flight, float(flight["file_time"]), float(flight["file_low"])))
 
 
 def predict_kinematic(

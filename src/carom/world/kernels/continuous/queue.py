@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.rows.flight import NO_PLACE, FlightRow, QueueRow
+from carom.rows.flight import NO_BALL, NO_PLACE, FlightRow, QueueRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 
@@ -46,10 +46,17 @@ def open_queue(state: StateRow, queue: Table[QueueRow]) -> None:
     queue[len(queue) - 1]["time"] = -inf
 
 
+def front_of(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]) -> int:
+    """The ball whose event comes first; NO_BALL if none is to come."""
+    if state["queued"] == 0 and state["binned"] != 0:
+        fill_queue(state, flights, queue)
+    return row_of(queue[0]["ball"]) if state["queued"] > 0 else NO_BALL
+
+
 def fill_queue(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]) -> None:
-    """Where the queue of a crowd is empty, put those into it for whom something comes soon, if there are any."""
+    """Put those into the queue of a crowd, which is empty, for whom something comes soon, if there are any."""
     last, count = len(queue) - 1, int(state["balls"])
-    if state["binned"] == 0 or state["queued"] > 0 or queue[last]["time"] == inf:
+    if queue[last]["time"] == inf:
         return
     now, least, wait, waiting = float(state["now"]), inf, 0.0, 0
     for i in range(count):
@@ -124,6 +131,8 @@ def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]
     """
     last = int(state["queued"]) - 1
     child = 2 * place + 1
+    if child > last:
+        return
     while child <= last:
         time = float(queue[child]["time"])
         if child < last:

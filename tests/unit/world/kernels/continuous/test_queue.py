@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from carom.geometry.instants import is_before
-from carom.rows.flight import FLIGHT, NO_PLACE, QUEUE
+from carom.rows.flight import FLIGHT, NO_BALL, NO_PLACE, QUEUE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.queue import fill_queue, is_sooner, open_queue, put_event, row_of, take_event
+from carom.world.kernels.continuous.queue import front_of, is_sooner, open_queue, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
 
 BALLS = 40
@@ -120,12 +120,13 @@ def test_of_a_crowd_the_queue_holds_what_comes_soon_and_all_come_in_order(seed: 
     assert state["queued"] == 0
     longest = 0
     for _ in range(3000):
-        fill_queue(state, flights, queue)
+        front = front_of(state, flights, queue)
         longest = max(longest, int(state["queued"]))
         if not waiting:
+            assert front == NO_BALL
             break
         first = int(queue[0]["ball"])
-        assert first == min(waiting, key=lambda ball: order_of(flights, ball))
+        assert first == front == min(waiting, key=lambda ball: order_of(flights, ball))
         for place in range(int(state["queued"])):
             assert queue[queue[place]["ball"]]["place"] == place
         state["now"] = flights[first]["due_time"]
