@@ -124,7 +124,7 @@ def file_anew(
         predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
     foresee_filing(state, balls[i], flight, age)
     if asks_all_fixed(state, index):
-        until = known_until(state, flight)
+        until = known_until(flight)
         predict_members(state, balls[i], flight, shapes, order, relations, 0, int(state["fixed"]), age, until)
     queue_up(state, flights, queue, i)
 

@@ -57,7 +57,8 @@ def predict_shapes(
     )
     if moves:
         if asks_all_fixed(state, index):
-            until, fixed = known_until(state, flight), int(state["fixed"])
+            until = inf if state["binned"] == 0 else known_until(flight)
+            fixed = int(state["fixed"])
             predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, until)
         else:
             predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age, False)
@@ -72,15 +73,12 @@ def asks_all_fixed(state: StateRow, index: Table[IndexRow]) -> bool:
     )  # fmt: skip
 
 
-def known_until(state: StateRow, flight: FlightRow) -> float:
-    """The age of a flight up to which impacts with static shapes are looked for where all are asked.
+def known_until(flight: FlightRow) -> float:
+    """The age of the flight of a ball that is filed up to which impacts with static shapes are looked for, if with all.
 
     That of what is to come, or when the ball is filed anew: then they are looked for farther along the way.
     """
-    until = event_age(flight)
-    if state["binned"] == 0:
-        return until
-    return min(until, age_at(flight, float(flight["file_time"]), float(flight["file_low"])))
+    return min(event_age(flight), age_at(flight, float(flight["file_time"]), float(flight["file_low"])))
 
 
 def predict_kinematic(

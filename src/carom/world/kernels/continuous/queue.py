@@ -106,7 +106,7 @@ def leave(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ba
 
 def move_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
     """Put a ball where it belongs, which is above the free `place`, there or below it."""
-    if sift_up(flights, queue, ball, place) == place:
+    if sift_up(flights, queue, ball, place) == place and 2 * place + 1 < state["queued"]:
         sift_down(state, flights, queue, ball, place)
 
 
@@ -131,8 +131,6 @@ def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]
     """
     last = int(state["queued"]) - 1
     child = 2 * place + 1
-    if child > last:
-        return
     while child <= last:
         time = float(queue[child]["time"])
         if child < last:
