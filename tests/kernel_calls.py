@@ -34,8 +34,10 @@ from carom.world.kernels.broad_phase.pairs import (
 )
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import MOVING, cell_span, locate
+from carom.world.kernels.continuous.flight import age_now
 from carom.world.kernels.continuous.frames import begin_film_step, note_passed, take_up
 from carom.world.kernels.continuous.predict import predict_all, predict_own
+from carom.world.kernels.continuous.predict_shapes import predict_shapes
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.step.beginning import begin_step
 from carom.world.kernels.step.discrete import rebuild_index
@@ -159,7 +161,7 @@ def in_flight(world: World, dt: float = 1.0) -> Arrays:
     assert take_up(state, balls, arrays.shapes.rows, order, *tables) == DONE
     prepare_regions(arrays)
     state["binned"] = state["queued"] = state["bin_levels"] = 0
-    arrays.flights["place"] = NO_PLACE
+    arrays.queue["place"] = NO_PLACE
     arrays.flights["row"] = np.arange(len(arrays.flights))
     return arrays
 
@@ -189,8 +191,11 @@ def look_at(arrays: Arrays, seconds: float) -> None:
 
 def foresee_own(arrays: Arrays, i: int = 0) -> tuple[int, float, float, int]:
     """What comes next for a ball but for other balls, from now on: the event, its instant, and with whom."""
-    tables = arrays.flights, *film_tables(arrays), arrays.relations
-    predict_own(arrays.states[0], arrays.balls.rows, *tables, i)
+    balls, flights, relations = arrays.balls.rows, arrays.flights, arrays.relations
+    predict_own(arrays.states[0], balls, flights, arrays.shapes.rows, relations, i)
+    if arrays.states[0]["shapes"] > 0:
+        age = age_now(arrays.states[0], flights[i])
+        predict_shapes(arrays.states[0], balls[i], flights[i], *film_tables(arrays), relations, age)
     return foreseen(arrays, i)
 
 

@@ -16,6 +16,7 @@ from numba.extending import intrinsic
 from numba.np.arrayobj import make_array, populate_array
 
 from carom.compiler.kernels import Kernel
+from carom.rows.tables import LINE
 
 #: The types of the arguments of each kernel that has been entered, by its name.
 _kinds: dict[str, Any] = {}
@@ -76,9 +77,8 @@ def called(function: Any, block: Any) -> Any:  # noqa: ARG001  # Numba compares 
     return call
 
 
-@intrinsic
-def _prefetched(_typing: Any, table: Any, place: Any) -> Any:
-    """The processor is told to have the cache line of an item at hand; it does not wait for it."""
+def _fetcher(whole: bool) -> Any:
+    """How code is generated that tells the processor to have an item at hand: the line in which it begins, or all."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         array = make_array(signature.args[0])(context, builder, arguments[0])  # type: ignore[no-untyped-call]
@@ -86,11 +86,25 @@ def _prefetched(_typing: Any, table: Any, place: Any) -> Any:
         kind = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
         fetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], kind)
         place = builder.bitcast(builder.gep(array.data, [arguments[1]]), byte)
-        # To be read, kept in all caches, of data.
-        builder.call(fetch, [place, flag(0), flag(3), flag(1)])
+        size = context.get_abi_sizeof(context.get_data_type(signature.args[0].dtype)) if whole else 1
+        for line in range(0, size, LINE):
+            # To be read, kept in all caches, of data.
+            builder.call(fetch, [builder.gep(place, [flag(line)]), flag(0), flag(3), flag(1)])
         return context.get_dummy_value()
 
-    return types.none(table, place), generate
+    return generate
+
+
+@intrinsic
+def _prefetched(_typing: Any, table: Any, place: Any) -> Any:
+    """The processor is told to have the cache line of an item at hand; it does not wait for it."""
+    return types.none(table, place), _fetcher(False)
+
+
+@intrinsic
+def _row_prefetched(_typing: Any, table: Any, place: Any) -> Any:
+    """The same of all lines of an item that begins where a line does."""
+    return types.none(table, place), _fetcher(True)
 
 
 def prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
@@ -100,6 +114,15 @@ def prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
         _prefetched(table, place)  # type: ignore[call-arg]
 
     return prefetch
+
+
+def row_prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
+    """How Numba is to understand `prefetch_row`."""
+
+    def prefetch_row(table: Any, place: Any) -> Any:
+        _row_prefetched(table, place)  # type: ignore[call-arg]
+
+    return prefetch_row
 
 
 class Words:

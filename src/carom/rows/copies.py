@@ -26,6 +26,7 @@ class LayoutRow(TypedDict):
     ball_words: i8
     saved_words: i8
     flight_words: i8
+    queue_words: i8
     shape_words: i8
     relation_words: i8
     balls: i8  # of each copy, in play or not

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_of, f8, i4, i8
+from carom.rows.tables import dtype_in_order, dtype_of, f8, i4, i8
 
 # What comes next in a ball's flight. Of events of one ball at one instant the greatest comes first.
 NOTHING = 0
@@ -32,7 +32,7 @@ class CourseRow(TypedDict):
     """What a flight is: where a ball was and how it moved at an instant, and its acceleration since.
 
     While a step is made, the rows of the balls hold place and velocity at that instant; between two steps these are
-    here, and the balls' rows show where the balls are.
+    here, and the balls' rows show where the balls are. Here they stand for those, too, that look for balls near them.
     """
 
     id: i8  # of the ball
@@ -82,14 +82,13 @@ class FlightRow(CourseRow):
     partner: i4
     partner_version: i4
     version: i4  # changes with the path
-    place: i4  # in the queue
     row: i4
     # where it is filed
     column: i4
     line: i4
     level: i4
-    cell: i4
     next: i4  # in the same cell
+    reach: f8  # its radius where it falls freely, as all do that nothing else pulls; otherwise 0
     body: i4  # one more than its place in the island that is being solved; 0 if it is in none
     # what a step that fails goes back to
     impacts: i4  # in this step
@@ -107,5 +106,31 @@ class FlightRow(CourseRow):
     seen_asleep: i4
 
 
+class QueueRow(TypedDict):
+    """A place in the queue of coming events; and of the ball that has the same row when it is due, and where it stands.
+
+    There is one more row than balls: its `time` is that up to which the queue of a crowd goes.
+    """
+
+    time: f8  # of the event
+    due: f8  # of the ball with this row; infinite if nothing is to come for it
+    ball: i4
+    place: i4  # of the ball with this row, or NO_PLACE
+
+
 COURSE = dtype_of(CourseRow)
-FLIGHT = dtype_of(FlightRow)
+
+#: By lines of memory, each of 64 bytes: what is asked of a ball near another, what is shown and was seen, the rest of
+#: a flight, what comes next, when, and what an impact looks at.
+FLIGHT = dtype_in_order(
+    FlightRow,
+    """
+    time low x y vx vy reach next level
+    shown_x shown_y shown_vx shown_vy seen_x seen_y seen_vx seen_vy
+    id low_vx low_vy ax ay seen_still kind impacts seen_relation seen_asleep
+    event_time event_low event_key file_time file_low event partner partner_version version row body
+    due_time due_low due_key tick_time tick_low slow_for kept column line
+    met_time met_low at_once energy surplus still_time short quiet relation asleep
+    """,
+)
+QUEUE = dtype_of(QueueRow)

@@ -8,4 +8,11 @@ from carom.rows.tables import Table
 
 
 def prefetch(table: Table[Any], place: int) -> None:
-    """Have the processor bring the row at a place of a table near; nothing waits for it, there need be no such row."""
+    """Have the processor bring the row at a place of a table near; nothing waits for it, there need be no such row.
+
+    Of a row that is longer than a line of memory, its beginning.
+    """
+
+
+def prefetch_row(table: Table[Any], place: int) -> None:
+    """The same of all of a row."""

@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 Rows = NDArray[Any]
 Row = Any
 
+#: Bytes of a line of memory, all of which comes near at once, on most processors.
+LINE = 64
+
 T = TypeVar("T")
 
 
@@ -47,6 +50,12 @@ def dtype_of(row: type) -> np.dtype[Any]:
     """The dtype of tables whose rows are as a class says, all of whose fields are of the types above."""
     fields = get_type_hints(row, include_extras=True)
     return np.dtype([(name, *field.__metadata__) for name, field in fields.items()])
+
+
+def dtype_in_order(row: type, order: str) -> np.dtype[Any]:
+    """The same with its fields in another order, whose names stand between spaces."""
+    found = dtype_of(row)
+    return np.dtype([(name, found[name]) for name in order.split()])
 
 
 class Numbered(TypedDict):

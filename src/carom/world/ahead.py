@@ -139,7 +139,7 @@ def _copies_block() -> Block:
     words, rows, hits = np.zeros(0, np.int64), np.zeros(0, "i4"), np.zeros(0, HIT_ROW)
     jobs, layouts = np.zeros(1, JOB), np.zeros(1, LAYOUT)
     memory = words, words.view(np.uint8), words
-    tables = states, (words,) * 6, shapes, rows, index, rows, (rows, rows, rows), hits
+    tables = states, (words,) * 6, shapes, rows, index, words, (rows, rows, rows), hits
     return Block((jobs, layouts, *memory, *tables, (hits, words), (words, words)))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from carom import checks
 from carom.compiler import door
 from carom.geometry.vector import length
+from carom.rows.flight import QUEUE
 from carom.rows.query import AIM
 from carom.rows.state import DISCRETE, DONE, NEEDS_PAIRS, NEEDS_ROOM
 from carom.rows.tables import Row, Rows
@@ -75,7 +76,7 @@ def copy_of(arrays: Arrays) -> Arrays:
     film.states = np.array(arrays.states)
     film.fill(arrays.balls.used, arrays.shapes.used)
     film.relations, film.flights = arrays.relations.copy(), arrays.flights.copy()
-    film.queue = np.zeros(len(arrays.balls.rows), "i4")
+    film.queue = np.zeros(len(arrays.balls.rows) + 1, QUEUE)
     film.prepare()
     return film
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.compiler.block import Block
 from carom.errors import InvalidArgument
 from carom.rows.ball import BALL, BallRow
-from carom.rows.flight import FLIGHT
+from carom.rows.flight import FLIGHT, QUEUE
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.island import BODY, ISLAND_CONTACT
@@ -21,7 +21,7 @@ from carom.rows.relation import INSIDE_BALL, LYING, RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, SHAPE, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
-from carom.rows.tables import Rows, Table
+from carom.rows.tables import LINE, Rows, Table
 from carom.shapes.table import Owner, R, RowTable, word_of
 from carom.world.layout import MOST_CHANGES, Layout
 
@@ -29,9 +29,6 @@ if TYPE_CHECKING:
     from carom.shapes.ball import Ball
     from carom.shapes.shape import Shape
 
-
-#: Bytes of a line of memory, on most processors.
-LINE = 64
 
 #: Relations of a ball to another ball, not to a shape.
 OF_BALLS = (INSIDE_BALL, LYING)
@@ -137,7 +134,7 @@ class Arrays:
         self._hits_seen: Rows | None = None
         self.relations = np.zeros(32, RELATION)
         self.flights = np.zeros(0, FLIGHT)
-        self.queue = np.zeros(0, "i4")
+        self.queue = np.zeros(1, QUEUE)
         self.island = (np.zeros(0, BODY), np.zeros(0, ISLAND_CONTACT))
 
     @property
@@ -205,10 +202,8 @@ class Arrays:
         if state["detection"] != DISCRETE and len(self.flights) < 2 * self.balls.count:
             # The upper half is for the copies that a step which fails goes back to.
             count = len(self.flights) // 2
-            flights = np.zeros(2 * len(self.balls.rows), FLIGHT)
-            flights[:count] = self.flights[:count]
-            self.flights = flights
-            self.queue = np.zeros(len(self.balls.rows), "i4")
+            self.flights = grown(self.flights, 2 * len(self.balls.rows), count)
+            self.queue = grown(self.queue, len(self.balls.rows) + 1, 0)
 
     def _list_movers(self) -> None:
         """List the kinematic shapes that move behind all shapes, as steps of the continuous mode keep them listed."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.rows.ball import BALL
 from carom.rows.copies import LAYOUT, LayoutRow
-from carom.rows.flight import FLIGHT
+from carom.rows.flight import FLIGHT, QUEUE
 from carom.rows.relation import RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import SHAPE
@@ -40,7 +40,10 @@ class Memory:
         self._sizes = balls, flying, moving
         self.layout: Rows = np.zeros(1, LAYOUT)
         layout: LayoutRow = self.layout[0]
-        kinds = {"state": STATE, "ball": BALL, "saved": SAVED, "flight": FLIGHT, "shape": SHAPE, "relation": RELATION}
+        kinds = {
+            "state": STATE, "ball": BALL, "saved": SAVED, "flight": FLIGHT, "queue": QUEUE, "shape": SHAPE,
+            "relation": RELATION,
+        }  # fmt: skip
         for name, dtype in kinds.items():
             layout[f"{name}_words"] = dtype.itemsize // WORD  # type: ignore[literal-required]
         layout["balls"], layout["relations_room"] = balls, relations
@@ -51,7 +54,7 @@ class Memory:
             "balls_at": balls * layout["ball_words"],
             "saved_at": balls * layout["saved_words"],
             "flights_at": balls * layout["flight_words"] if flying else 0,
-            "queue_at": balls if flying else 0,
+            "queue_at": balls * layout["queue_words"] if flying else 0,
             "moving_at": moving * layout["shape_words"],
             "relations_at": relations * layout["relation_words"],
         }

@@ -94,7 +94,7 @@ class Stage:
         )  # fmt: skip
         words: Any = tuple(rows.view(np.int64).reshape(-1) for rows in tables)
         memory = common.memory.words.reshape(-1)
-        shapes, queue = arrays.shapes.rows, arrays.queue
+        shapes, queue = arrays.shapes.rows, arrays.queue.view(np.int64).reshape(-1)
         own = common.moving, common.leaders, common.switched
         self._carried = common.memory.layout, memory, memory.view(np.uint8), words, shapes, queue, own
         layout, _memory, marks, *_ = self._carried

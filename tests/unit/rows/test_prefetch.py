@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from carom.compiler import door
-from carom.rows.prefetch import prefetch
+from carom.rows.flight import FLIGHT
+from carom.rows.prefetch import prefetch, prefetch_row
 from carom.rows.saved import SAVED
+from carom.rows.tables import LINE
 
 
 @pytest.mark.compiled
@@ -22,3 +24,16 @@ def test_prefetch_tells_the_processor_and_changes_nothing() -> None:
     rows = np.zeros(3, SAVED)
     kernel(rows, 2)
     assert rows.tobytes() == np.zeros(3, SAVED).tobytes()
+
+
+@pytest.mark.compiled
+def test_of_a_row_all_lines_are_told() -> None:
+    numba = pytest.importorskip("numba")
+    door.register_once(numba)
+    kernel = numba.njit(lambda table, place: prefetch_row(table, place))
+    rows = np.zeros(3, FLIGHT)
+    kernel(rows, 2)
+    kernel(rows, 5000)
+    assert next(iter(kernel.inspect_asm().values())).count("prefetch") >= FLIGHT.itemsize // LINE
+    assert rows.tobytes() == np.zeros(3, FLIGHT).tobytes()
+    assert prefetch_row(rows, 5000) is None  # type: ignore[func-returns-value]

@@ -65,22 +65,22 @@ def file_ball(
     flight["column"] = column
     flight["line"] = line
     flight["level"] = level
-    flight["cell"] = cell
     flight["next"] = heads[cell]
     heads[cell] = ball
     state["bin_levels"] |= 1 << level
 
 
-def unfile_ball(flights: Table[FlightRow], heads: Table[int], ball: int) -> None:
+def unfile_ball(state: StateRow, flights: Table[FlightRow], heads: Table[int], ball: int) -> None:
     """Take a ball out of the cell that it is filed under."""
-    cell = int(flights[ball]["cell"])
+    flight = flights[ball]
+    cell = bin_number(state, int(flight["column"]), int(flight["line"]), int(flight["level"]))
     other = int(heads[cell])
     if other == ball:
-        heads[cell] = flights[ball]["next"]
+        heads[cell] = flight["next"]
         return
     while int(flights[other]["next"]) != ball:
         other = int(flights[other]["next"])
-    flights[other]["next"] = flights[ball]["next"]
+    flights[other]["next"] = flight["next"]
 
 
 def cell_at(state: StateRow, x: float, y: float, level: int) -> tuple[int, int]:

@@ -17,6 +17,7 @@ from carom.rows.flight import (
     SLEEP,
     STOP,
     FlightRow,
+    QueueRow,
 )
 from carom.rows.hit import EXIT, HitRow
 from carom.rows.index import CellRow, IndexRow
@@ -55,14 +56,14 @@ def deal_with(
     hits: Table[HitRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
     i: int,
 ) -> None:
     """Deal with the next event, which is that of ball `i`, and foresee what comes next for the balls concerned."""
     ball, flight = balls[i], flights[i]
     if is_filed_first(flight):
-        file_anew(state, balls, heads, flights, relations, queue, i)
+        file_anew(state, balls, shapes, order, index, heads, flights, relations, queue, i)
         return
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
@@ -112,7 +113,7 @@ def fly_on_from(
     heads: Table[int],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
     i: int,
     second: int,

@@ -10,10 +10,11 @@ from __future__ import annotations
 from carom.constants import EVENTS_BETWEEN_PAUSES, PARTING_ROUNDS
 from carom.geometry.instants import is_before
 from carom.rows.ball import BallRow
-from carom.rows.flight import FlightRow
+from carom.rows.flight import HIT_BALL, FlightRow, QueueRow
 from carom.rows.hit import BOUNCE, HitRow
 from carom.rows.index import CellRow, IndexRow, SlotRow
 from carom.rows.island import BodyRow, IslandContactRow
+from carom.rows.prefetch import prefetch_row
 from carom.rows.relation import RelationRow
 from carom.rows.saved import PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -41,12 +42,15 @@ from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
 from carom.world.kernels.continuous.predict import predict_all
-from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.queue import front_of, row_of
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.rounds import meet_all_shapes
 from carom.world.kernels.step.stages import enter_stage
+
+#: Places at the front of the queue: the first one, the two of whom one comes next, and the four after them.
+FRONT = 7
 
 
 def step_continuous(
@@ -64,7 +68,7 @@ def step_continuous(
     hits: Table[HitRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
 ) -> int:
     """Why the kernel came back: DONE after `state["steps_left"]` steps, or what it needs to go on, as `step_discrete`.
@@ -163,7 +167,7 @@ def fly(
     hits: Table[HitRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     island: tuple[Table[BodyRow], Table[IslandContactRow]],
 ) -> int:
     """DONE when all events up to the horizon are dealt with; NEEDS_ROOM if there may be too little for the next one."""
@@ -172,7 +176,7 @@ def fly(
     while True:
         if lacks_room_for_event(state, len(hits), relations, most):
             return NEEDS_ROOM
-        i = row_of(queue[0]) if state["queued"] > 0 else -1
+        i = front_of(state, flights, queue)
         change, change_low, _of_regions = next_change(state)
         next_is_shape = i < 0 or not is_before(
             float(flights[i]["due_time"]), float(flights[i]["due_low"]), change, change_low
@@ -189,6 +193,8 @@ def fly(
         if is_before(float(state["now"]), float(state["now_low"]), time, low):
             state["now"] = time
             state["now_low"] = low
+        if state["binned"] != 0:
+            prefetch_next(state, balls, flights, queue)
         spent = int(state["spent"])
         state["renewals"] = 0
         deal_with(
@@ -211,6 +217,25 @@ def fly(
             return PAUSE
     enter_stage(state, SHOW)
     return DONE
+
+
+def prefetch_next(
+    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], queue: Table[QueueRow]
+) -> None:  # fmt: skip
+    """Of a crowd, have those at hand who come next after the first of the queue, and who are met by these."""
+    half = len(flights) // 2
+    for k in range(1, min(FRONT, int(state["queued"]))):
+        ball = row_of(queue[k]["ball"])
+        if k > 2:
+            prefetch_row(flights, ball)
+            prefetch_row(balls, ball)
+        elif flights[ball]["event"] == HIT_BALL:
+            partner = row_of(flights[ball]["partner"])
+            prefetch_row(flights, partner)
+            prefetch_row(balls, partner)
+            prefetch_row(flights, half + ball)
+            prefetch_row(flights, half + partner)
+            prefetch_row(queue, partner)
 
 
 def go_to_change(

@@ -42,6 +42,16 @@ def place_after(ball: BallRow, flight: FlightRow, age: float) -> tuple[float, fl
     return x + (vx * age + ax * half), y + (vy * age + ay * half), vx + ax * age, vy + ay * age
 
 
+def note_course(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Let the flight of a ball tell from where on it is, as its row does, and whether it falls freely."""
+    flight["x"] = ball["x"]
+    flight["y"] = ball["y"]
+    flight["vx"] = ball["vx"]
+    flight["vy"] = ball["vy"]
+    falls = flight["ax"] == state["gravity_x"] and flight["ay"] == state["gravity_y"] and flight["kind"] == FLYING
+    flight["reach"] = ball["radius"] if falls else 0.0
+
+
 def path_of(ball: BallRow, flight: FlightRow) -> Path:
     """The path of a ball from where its flight began."""
     if flight["kind"] != FLYING:

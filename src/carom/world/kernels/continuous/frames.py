@@ -76,11 +76,10 @@ def begin_film_step(
     state = states[0]
     changed = False
     if state["running"] == 0:
-        bad = refused(state, balls)
+        bad, changed = look_at_balls(state, balls, flights)
         if bad != DONE:
             return bad
-        keep_seen(state, balls, flights)
-        changed = state["wake"] != 0 or is_any_changed(state, balls, flights)
+        changed = changed or state["wake"] != 0
         if state["sleeping"] > 0 and changed and state["wake"] == 0:
             state["wake"] = CHANGED
         if state["index_stale"] + state["taken"] + state["put"] > 0:
@@ -106,33 +105,37 @@ def begin_film_step(
     return DONE
 
 
-def refused(state: StateRow, balls: Table[BallRow]) -> int:
-    """DONE where the balls are what balls may be; notes where the index of shapes does not serve their size."""
-    largest = 0.0
+def look_at_balls(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> tuple[int, bool]:
+    """DONE where the balls are what balls may be, and whether one is not as it was shown last, or was not there.
+
+    Keeps them as they are seen, for a step that fails to go back to; notes where the index of shapes does not serve
+    their size.
+    """
+    largest, changed = 0.0, False
     for i in range(state["balls"]):
         ball = balls[i]
         if not is_good(ball):
-            return REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE
+            return (REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE), False
         largest = max(largest, float(ball["radius"]))
+        keep_seen(ball, flights[i])
+        changed = changed or not is_as_shown(ball, flights[i])
     if largest > state["reach"] or largest * 4.0 < state["reach"]:
         state["reach"] = largest
         if state["index_stale"] == 0:
             state["index_stale"] = OTHER_REACH
         state["foreseen"] = 0
-    return DONE
+    return DONE, changed
 
 
-def keep_seen(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> None:
-    """Keep the balls as they are seen, for a step that fails to go back to."""
-    for i in range(state["balls"]):
-        ball, flight = balls[i], flights[i]
-        flight["seen_x"] = ball["x"]
-        flight["seen_y"] = ball["y"]
-        flight["seen_vx"] = ball["vx"]
-        flight["seen_vy"] = ball["vy"]
-        flight["seen_still"] = ball["still_time"]
-        flight["seen_relation"] = ball["relation"]
-        flight["seen_asleep"] = ball["asleep"]
+def keep_seen(ball: BallRow, flight: FlightRow) -> None:
+    """Keep a ball as it is seen."""
+    flight["seen_x"] = ball["x"]
+    flight["seen_y"] = ball["y"]
+    flight["seen_vx"] = ball["vx"]
+    flight["seen_vy"] = ball["vy"]
+    flight["seen_still"] = ball["still_time"]
+    flight["seen_relation"] = ball["relation"]
+    flight["seen_asleep"] = ball["asleep"]
 
 
 def is_any_changed(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:

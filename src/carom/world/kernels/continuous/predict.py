@@ -7,18 +7,18 @@ from math import inf
 from carom.constants import FEW_FLIGHTS
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_PLACE, NO_TICK, NOTHING, TICK, FlightRow
+from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_TICK, NOTHING, TICK, FlightRow, QueueRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.relation import INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, open_bins, time_filed, unfile_ball
-from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, place_after
+from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, note_course, place_after
 from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
-from carom.world.kernels.continuous.predict_shapes import predict_shapes
-from carom.world.kernels.continuous.queue import put_event, row_of, take_event
+from carom.world.kernels.continuous.predict_shapes import asks_all_fixed, known_until, predict_members, predict_shapes
+from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
 
@@ -34,24 +34,27 @@ def predict_all(
     heads: Table[int],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
 ) -> bool:
     """True when what comes next was foreseen for every ball; False if the cells of the balls need more room."""
-    state["queued"] = 0
+    open_queue(state, queue)
     state["binned"] = 0
     state["bin_levels"] = 1 if state["balls"] > 1 and may_meet(state, balls) else 0
     for i in range(state["balls"]):
-        flights[i]["place"] = NO_PLACE
+        note_course(state, balls[i], flights[i])
         flights[i]["row"] = i
         flights[i]["body"] = 0
     if state["balls"] > FEW_FLIGHTS and state["bin_levels"] != 0 and not open_bins(state, balls, flights, heads):
         return False
     for i in range(state["balls"]):
-        predict_own(state, balls, flights, shapes, order, index, cells, members, relations, i)
+        predict_own(state, balls, flights, shapes, relations, i)
     for i in range(state["balls"]):
         if state["bin_levels"] != 0 and flights[i]["kind"] == FLYING:
             predict_balls(state, balls, heads, flights, relations, i, False)
     for i in range(state["balls"]):
+        if state["shapes"] > 0:
+            age = age_now(state, flights[i])
+            predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
         queue_up(state, flights, queue, i)
     return True
 
@@ -67,16 +70,21 @@ def predict(
     heads: Table[int],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     i: int,
 ) -> None:
     """Find what comes next for ball `i` from now on and put it into the queue, or take the ball out if nothing does."""
     if state["binned"] != 0:
+        note_course(state, balls[i], flights[i])
         keep_filed(state, balls, flights, heads, i)
-    predict_own(state, balls, flights, shapes, order, index, cells, members, relations, i)
+    predict_own(state, balls, flights, shapes, relations, i)
     # One that sleeps, too: an impact may have been known in its place alone.
     if state["bin_levels"] != 0:
         predict_balls(state, balls, heads, flights, relations, i, True)
+    # After the balls: up to an impact with one of these few shapes are near.
+    if state["shapes"] > 0:
+        age = age_now(state, flights[i])
+        predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
     queue_up(state, flights, queue, i)
 
 
@@ -86,36 +94,42 @@ def keep_filed(
     """File a ball anew that an event has moved out of where it may be."""
     age = age_now(state, flights[i])
     if time_filed(state, balls[i], flights[i], age) < 0.0:
-        unfile_ball(flights, heads, i)
+        unfile_ball(state, flights, heads, i)
         file_ball(state, balls, flights, heads, i, age)
 
 
 def file_anew(
     state: StateRow,
     balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
     heads: Table[int],
     flights: Table[FlightRow],
     relations: Table[RelationRow],
-    queue: Table[int],
+    queue: Table[QueueRow],
     i: int,
 ) -> None:
-    """File a ball under the cell that it has come to, and foresee impacts with balls that are near it from there on.
+    """File a ball under the cell that it has come to, and foresee impacts with what is near it from there on.
 
-    What else was foreseen stands.
+    What was foreseen stands.
     """
     flight = flights[i]
     age = age_now(state, flight)
     column, line = int(flight["column"]), int(flight["line"])
     x, y, _vx, _vy = place_after(balls[i], flight, age)
     if (column, line) != cell_at(state, x, y, int(flight["level"])):
-        unfile_ball(flights, heads, i)
+        unfile_ball(state, flights, heads, i)
         file_ball(state, balls, flights, heads, i, age)
         predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
     foresee_filing(state, balls[i], flight, age)
+    if asks_all_fixed(state, index):
+        until = known_until(flight)
+        predict_members(state, balls[i], flight, shapes, order, relations, 0, int(state["fixed"]), age, until)
     queue_up(state, flights, queue, i)
 
 
-def queue_up(state: StateRow, flights: Table[FlightRow], queue: Table[int], i: int) -> None:
+def queue_up(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], i: int) -> None:
     """Put what comes next for ball `i` into the queue, or take the ball out if nothing does."""
     flight = flights[i]
     if is_filed_first(flight):
@@ -126,10 +140,8 @@ def queue_up(state: StateRow, flights: Table[FlightRow], queue: Table[int], i: i
         flight["due_time"] = flight["event_time"]
         flight["due_low"] = flight["event_low"]
         flight["due_key"] = flight["event_key"]
-    elif flight["place"] != NO_PLACE:
-        take_event(state, flights, queue, i)
-        return
     else:
+        take_event(state, flights, queue, i)
         return
     put_event(state, flights, queue, i)
 
@@ -148,14 +160,10 @@ def predict_own(
     balls: Table[BallRow],
     flights: Table[FlightRow],
     shapes: Table[ShapeRow],
-    order: Table[int],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
     relations: Table[RelationRow],
     i: int,
 ) -> None:
-    """Foresee what comes first for a ball but for impacts with other balls."""
+    """Foresee what comes first for a ball but for impacts."""
     ball, flight = balls[i], flights[i]
     flight["event"] = NOTHING
     age = age_now(state, flight)
@@ -168,8 +176,6 @@ def predict_own(
     foresee_filing(state, ball, flight, age)
     if ball["relation"] != NO_RELATION:
         predict_relations(state, balls, flights, shapes, relations, i, age)
-    if state["shapes"] > 0:
-        predict_shapes(state, ball, flight, shapes, order, index, cells, members, relations, age)
 
 
 def foresee_filing(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, inf
 
-from carom.constants import BIN_REACH, SWEEP_ROUNDING
+from carom.constants import BIN_REACH, GAP_ROUNDING, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
 from carom.geometry.instants import is_before, later
 from carom.geometry.path import Path
@@ -12,6 +12,7 @@ from carom.geometry.vector import dot, length, length_squared
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, HIT_BALL, NO_BALL, FlightRow
 from carom.rows.masks import may_collide
+from carom.rows.prefetch import prefetch
 from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -25,6 +26,13 @@ from carom.world.kernels.step.relations import find_relation
 
 #: In place of a column or line: there was none.
 NO_CELL = -1 << 40
+
+#: Square of a distance, relative to that of two balls' radii: farther off than this, whether two that fly towards each
+#: other pass by is not told before their time of impact is computed. Larger, and rounding (1e-16 of it) may decide.
+FAR_AWAY = 1e8
+
+#: As many cells around another are asked at most for those who are filed there before the first of them is looked at.
+CELLS_AHEAD = 16
 
 
 def predict_balls(
@@ -113,7 +121,15 @@ def predict_cells(
     flight = flights[i]
     left, right, bottom, top = box
     stride, mask = int(state["bin_stride"]), int(state["bin_mask"])
+    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    falls = flight["reach"] > 0.0
+    until = event_age(flight) * SWEEP_ROUNDING
     tests = 0
+    if (right - left) * (top - bottom) <= CELLS_AHEAD:
+        # All at once, or each would be waited for in turn.
+        for row in range(bottom, top + 1):
+            for place in range(left, right + 1):
+                prefetch(flights, row_of(heads[(place + stride * row + level) & mask]))
     for row in range(bottom, top + 1):
         known = -1 <= row - line <= 1
         for place in range(left, right + 1):
@@ -122,13 +138,52 @@ def predict_cells(
             j = row_of(heads[(place + stride * row + level) & mask])
             while j != NO_BALL:
                 partner = flights[j]
-                wanted = all_balls or j > i or partner["kind"] != FLYING
+                alike = falls and partner["reach"] > 0.0
+                wanted = all_balls or j > i or (not alike and partner["kind"] != FLYING)
                 if wanted and j != i and partner["level"] == level:
                     tests += 1
-                    if may_near(balls[i], flight, balls[j], partner):
+                    if (
+                        may_touch(flight, partner, until, gx, gy)
+                        if alike
+                        else may_near(balls[i], flight, balls[j], partner)
+                    ):
                         predict_pair(state, balls, flights, relations, i, j)
+                        until = event_age(flight) * SWEEP_ROUNDING
                 j = row_of(partner["next"])
     state["box_tests"] += tests
+
+
+def may_touch(flight: FlightRow, partner: FlightRow, until: float, gx: float, gy: float) -> bool:
+    """False for most pairs of balls which fall freely that do not touch `until` an age of the first one's flight.
+
+    Seen from each other they move straight. Asked is their state at the instant at which the later flight began, and
+    what touches all but is kept, for who is left out must not depend on what else was found before.
+    """
+    x, y, vx, vy = float(flight["x"]), float(flight["y"]), float(flight["vx"]), float(flight["vy"])
+    other_x, other_y = float(partner["x"]), float(partner["y"])
+    other_vx, other_vy = float(partner["vx"]), float(partner["vy"])
+    seconds = age_at(partner, float(flight["time"]), float(flight["low"]))
+    pull_x, pull_y = gx * seconds, gy * seconds
+    if seconds >= 0.0:
+        other_x += (other_vx + 0.5 * pull_x) * seconds
+        other_y += (other_vy + 0.5 * pull_y) * seconds
+        other_vx += pull_x
+        other_vy += pull_y
+    else:
+        x -= (vx - 0.5 * pull_x) * seconds
+        y -= (vy - 0.5 * pull_y) * seconds
+        vx -= pull_x
+        vy -= pull_y
+        until += seconds
+    dx, dy, wx, wy = x - other_x, y - other_y, vx - other_vx, vy - other_vy
+    slack = GAP_ROUNDING * ((fabs(x) + fabs(y)) + (fabs(other_x) + fabs(other_y)))
+    reach = SWEEP_ROUNDING * (float(flight["reach"]) + float(partner["reach"])) + slack
+    away, nearing, speed = dx * dx + dy * dy, dx * wx + dy * wy, wx * wx + wy * wy
+    gap = away - reach * reach
+    # Of what comes from very far rounding leaves too little to tell whether it passes by.
+    hits = (not nearing * nearing < speed * gap) | (away > FAR_AWAY * (reach * reach))
+    # All at once: which of them says no is up to chance, and most pairs get one.
+    return bool((gap < 0.0) | ((nearing < 0.0) & (not gap + 2.0 * nearing * until > 0.0) & hits))
 
 
 def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> bool:

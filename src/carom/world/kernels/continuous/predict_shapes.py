@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import copysign, fabs, floor, inf, sqrt
 
-from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, SEARCH_MARGIN
+from carom.constants import CROWD_SLICES, FEW_SHAPES, FLIGHT_SLICES, GAP_ROUNDING, SEARCH_MARGIN, SWEEP_ROUNDING
 from carom.geometry.instants import later, seconds_since
 from carom.geometry.path import Path, path_after, place_on
 from carom.geometry.vector import larger
@@ -31,7 +31,7 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     quarter_of,
 )
-from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of, time_to_go
+from carom.world.kernels.continuous.flight import age_at, consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
@@ -52,17 +52,33 @@ def predict_shapes(
     age: float,
 ) -> None:
     """Foresee the first impact with a shape from an age of a flight on; a ball that sleeps waits for what moves."""
-    fixed = int(state["fixed"])
     moves = flight["kind"] == FLYING and (
         ball["vx"] != 0.0 or ball["vy"] != 0.0 or flight["ax"] != 0.0 or flight["ay"] != 0.0
     )
     if moves:
-        if fixed <= FEW_SHAPES or state["broad_phase"] != GRID or float(index[FIXED]["side"]) == inf:
-            predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, inf)
+        if asks_all_fixed(state, index):
+            until = inf if state["binned"] == 0 else known_until(flight)
+            fixed = int(state["fixed"])
+            predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, until)
         else:
             predict_on_way(state, ball, flight, shapes, index[FIXED], cells, members, relations, age, False)
-    if fixed < state["shapes"]:
+    if state["fixed"] < state["shapes"]:
         predict_kinematic(state, ball, flight, shapes, index[MOVING], cells, members, relations, age, moves)
+
+
+def asks_all_fixed(state: StateRow, index: Table[IndexRow]) -> bool:
+    """True if all static shapes are asked, and no cells."""
+    return bool(
+        state["fixed"] <= FEW_SHAPES or state["broad_phase"] != GRID or float(index[FIXED]["side"]) == inf
+    )  # fmt: skip
+
+
+def known_until(flight: FlightRow) -> float:
+    """The age of the flight of a ball that is filed up to which impacts with static shapes are looked for, if with all.
+
+    That of what is to come, or when the ball is filed anew: then they are looked for farther along the way.
+    """
+    return min(event_age(flight), age_at(flight, float(flight["file_time"]), float(flight["file_low"])))
 
 
 def predict_kinematic(
@@ -336,18 +352,20 @@ def predict_members(
     What it meets later is found on a later slice, so that most shapes near a wall that it leaves take little.
     """
     path, radius = path_of(ball, flight), float(ball["radius"])
-    left, bottom, right, top = -inf, -inf, inf, inf
+    left, bottom, right, top, reach = -inf, -inf, inf, inf, radius
     if end < inf:
         left, bottom, right, top = path_box(path, begin, end)
+        # What touches just as the slice ends may not be left out by rounding: on the next one it would be found late.
+        reach = SWEEP_ROUNDING * radius + GAP_ROUNDING * ((fabs(left) + fabs(right)) + (fabs(bottom) + fabs(top)))
     state["box_tests"] += high - low
     for k in range(low, high):
         row = row_of(members[k])
         shape = shapes[row]
         if (
-            right + radius >= shape["left"]
-            and left - radius <= shape["right"]
-            and top + radius >= shape["bottom"]
-            and bottom - radius <= shape["top"]
+            right + reach >= shape["left"]
+            and left - reach <= shape["right"]
+            and top + reach >= shape["bottom"]
+            and bottom - reach <= shape["top"]
             and not is_moving(shape)
             and may_collide(ball, shape)
             and not is_related(relations, ball, row)

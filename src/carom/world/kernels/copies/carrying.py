@@ -96,7 +96,8 @@ def carry(
         if layout["flights_at"] != 0:
             size = int(layout["flight_words"])
             carry_words(memory, begin + int(layout["flights_at"]) + slot * size, flight_words, row * size, size, out)
-            carry_words(memory, begin + int(layout["queue_at"]) + row, queue, row, 1, out)
+            size = int(layout["queue_words"])
+            carry_words(memory, begin + int(layout["queue_at"]) + row * size, queue, row * size, size, out)
         row += 1
     # How many there are stands in the state, which has been carried.
     high = int(state_words[int(layout["high_word"])])

@@ -64,7 +64,7 @@ def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(size
             assert (state["bin_levels"] >> level) & 1
             # Cells are at least twice as wide as the balls of their level.
             assert float(state["bin_side"]) / 2**level > 4 * float(balls[ball]["radius"])
-        unfile_ball(flights, heads, step)
+        unfile_ball(state, flights, heads, step)
         assert step not in chain(*filed(arrays, heads))
         balls[step]["x"] += 3.0
         file_ball(state, balls, flights, heads, step, 0.0)
@@ -161,7 +161,7 @@ def test_a_ball_is_filed_where_it_is_at_an_age_of_its_flight() -> None:
     look_at(arrays, 0.5)
     assert open_bins(state, balls, flights, heads)
     assert flights["column"][7] == cell_at(state, x + 1.5, 0.0, int(flights["level"][7]))[0]
-    unfile_ball(flights, heads, 7)
+    unfile_ball(state, flights, heads, 7)
     file_ball(state, balls, flights, heads, 7, 2.0)
     assert flights["column"][7] == cell_at(state, x + 6.0, 0.0, int(flights["level"][7]))[0]
     assert balls["x"][7] == x

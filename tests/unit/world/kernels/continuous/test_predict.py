@@ -168,9 +168,9 @@ def test_the_front_of_the_queue_is_the_first_event_of_all_balls(seed: int) -> No
     heads = foresee_all(arrays)
     times = [foreseen(arrays, i)[1] for i in range(BALLS)]
     assert arrays.states[0]["queued"] == sum(time < inf for time in times)
-    assert arrays.queue[0] == int(np.argmin(times))
+    assert arrays.queue[0]["ball"] == int(np.argmin(times))
     # Where nothing is to come any more, a ball leaves the queue.
-    first = int(arrays.queue[0])
+    first = int(arrays.queue[0]["ball"])
     arrays.balls.rows["can_collide"][first] = 0
     tables = *film_tables(arrays), heads, arrays.relations, arrays.flights, arrays.queue
     predict(arrays.states[0], arrays.balls.rows, *tables, first)

@@ -130,7 +130,7 @@ def test_who_is_filed_anew_asks_those_who_were_not_near_before(seed: int) -> Non
     for i in range(COUNT):
         column, line = int(flights[i]["column"]), int(flights[i]["line"])
         before = foresee(arrays, i, heads)
-        unfile_ball(flights, heads, i)
+        unfile_ball(state, flights, heads, i)
         file_ball(state, balls, flights, heads, i, SPAN)
         everyone = foresee(arrays, i, heads)
         flights[i]["event"] = NOTHING

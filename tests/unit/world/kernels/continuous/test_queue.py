@@ -1,5 +1,6 @@
 """The queue of coming events: whoever comes and goes, the earliest stands in front."""
 
+from math import inf
 from random import Random
 from typing import Any
 
@@ -7,9 +8,9 @@ import numpy as np
 import pytest
 
 from carom.geometry.instants import is_before
-from carom.rows.flight import FLIGHT, NO_PLACE
+from carom.rows.flight import FLIGHT, NO_BALL, NO_PLACE, QUEUE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.queue import is_sooner, put_event, row_of, take_event
+from carom.world.kernels.continuous.queue import front_of, is_sooner, open_queue, put_event, row_of, take_event
 from tests.kernel_calls import ball_rows, state_row
 
 BALLS = 40
@@ -24,8 +25,8 @@ def order_of(flights: Rows, ball: int) -> tuple[float, float, int, int]:
 @pytest.mark.parametrize("seed", range(3))
 def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(seed: int) -> None:
     random = Random(seed)
-    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS, "i4")
-    flights["place"] = NO_PLACE
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS, QUEUE)
+    queue["place"] = NO_PLACE
     waiting: set[int] = set()
     for _ in range(600):
         ball = random.randrange(BALLS)
@@ -39,15 +40,15 @@ def test_the_earliest_event_is_in_front_and_of_equal_ones_that_of_the_least_key(
             take_event(state, flights, queue, ball)
             waiting.discard(ball)
         assert state["queued"] == len(waiting)
-        assert not waiting or queue[0] == min(waiting, key=lambda ball: order_of(flights, ball))
+        assert not waiting or queue[0]["ball"] == min(waiting, key=lambda ball: order_of(flights, ball))
         for place in range(len(waiting)):
-            assert flights[queue[place]]["place"] == place
+            assert queue[queue[place]["ball"]]["place"] == place
     order = []
     while state["queued"]:
-        order.append(int(queue[0]))
+        order.append(int(queue[0]["ball"]))
         take_event(state, flights, queue, order[-1])
     assert order == sorted(waiting, key=lambda ball: order_of(flights, ball))
-    assert (flights["place"] == NO_PLACE).all()
+    assert (queue["place"] == NO_PLACE).all()
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -56,12 +57,12 @@ def test_the_order_in_which_balls_were_put_in_does_not_show(seed: int) -> None:
     flights["due_time"], flights["due_key"] = random.integers(0, 4, BALLS), random.integers(0, 2, BALLS)
     orders: list[list[int]] = []
     for _ in range(3):
-        state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, "i4"), []
-        flights["place"] = NO_PLACE
+        state, queue, order = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, QUEUE), []
+        queue["place"] = NO_PLACE
         for ball in random.permutation(BALLS).tolist():
             put_event(state, flights, queue, ball)
         while state["queued"]:
-            order.append(int(queue[0]))
+            order.append(int(queue[0]["ball"]))
             take_event(state, flights, queue, order[-1])
         orders.append(order)
     assert orders[0] == orders[1] == orders[2]
@@ -97,3 +98,46 @@ def test_of_two_at_one_instant_with_one_key_the_lower_row_comes_first() -> None:
 def test_a_row_is_handed_on_as_a_plain_number() -> None:
     assert row_of(np.int32(7)) == 7
     assert type(row_of(np.int32(7))) is int
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_of_a_crowd_the_queue_holds_what_comes_soon_and_all_come_in_order(seed: int) -> None:
+    random = Random(seed)
+    count = 400
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(count, FLIGHT), np.zeros(count + 1, QUEUE)
+    state["balls"], state["binned"] = count, 1
+    open_queue(state, queue)
+    waiting: set[int] = set()
+
+    def let_wait(ball: int) -> None:
+        flights[ball]["due_time"] = state["now"] + random.choice((0.25, 1.0, random.expovariate(1.0)))
+        flights[ball]["due_low"] = random.choice((0.0, 1e-17, -1e-17))
+        put_event(state, flights, queue, ball)
+        waiting.add(ball)
+
+    for ball in range(count):
+        let_wait(ball)
+    assert state["queued"] == 0
+    longest = 0
+    for _ in range(3000):
+        front = front_of(state, flights, queue)
+        longest = max(longest, int(state["queued"]))
+        if not waiting:
+            assert front == NO_BALL
+            break
+        first = int(queue[0]["ball"])
+        assert first == front == min(waiting, key=lambda ball: order_of(flights, ball))
+        for place in range(int(state["queued"])):
+            assert queue[queue[place]["ball"]]["place"] == place
+        state["now"] = flights[first]["due_time"]
+        take_event(state, flights, queue, first)
+        waiting.discard(first)
+        # Others are put elsewhere, sooner or later, or taken out.
+        for _ in range(random.randrange(2)):
+            let_wait(random.randrange(count))
+        other = random.randrange(count)
+        take_event(state, flights, queue, other)
+        waiting.discard(other)
+    assert not waiting
+    assert (int(state["queued"]), float(queue[count]["time"])) == (0, inf)
+    assert 4 < longest < count
