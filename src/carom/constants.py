@@ -478,19 +478,19 @@ QUIET_PULL = 0.02
 #: Fraction of a ball's radius: a moving shape that is deeper in a ball which has no room goes over it.
 SQUEEZE_DEEP = 0.5
 
-#: Share of the speed below which contacts of an island do not rebound: a ball that an event elsewhere pushes by more
-#: within the tick is solved with it. Smaller costs; larger, and the balls around it do work.
+#: Shares of the speed below which contacts of an island do not rebound: a ball that an event elsewhere pushes by more
+#: within the tick is solved with it; and down to which accelerations are solved then. Smaller costs; larger, and the
+#: balls around it do work.
 JOLT_SHARE = 5e-2
+JOLT_TOLERANCE = 2e-2
 
 #: Balls that are solved with an event before it is asked whether the rest can wait: where those around them are pushed
 #: still, their island is solved anew when that has changed a ball by the same speed, if no less of a tick than this
-#: share has gone by then; else more are solved now. More balls cost, and so does a smaller share; at a larger one jolts
-#: go through whole heaps.
+#: share has gone by then; else more are solved now, in each round a ring more than in the one before up to so many
+#: balls. More balls cost, fewer near ones take more rounds; with a larger share jolts go through whole heaps.
 JOLT_MOST = 8
 JOLT_WAIT = 0.05
-
-#: Share of the same speed down to which accelerations are solved after such an event.
-JOLT_TOLERANCE = 2e-2
+JOLT_NEAR = 128
 
 #: Part of a ball's radius: a ball that was less far from a shape between two hits has not left it, and touches it once.
 #: A hop that low is not seen.

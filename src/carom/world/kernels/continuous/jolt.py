@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.constants import JOLT_MOST, JOLT_SHARE, JOLT_TOLERANCE, JOLT_WAIT, LEAST_TICK
+from carom.constants import JOLT_MOST, JOLT_NEAR, JOLT_SHARE, JOLT_TOLERANCE, JOLT_WAIT, LEAST_TICK
 from carom.geometry.instants import later, seconds_since
 from carom.geometry.vector import larger, length
 from carom.rows.ball import BallRow
@@ -70,9 +70,10 @@ def jolt(
     `struck` after an impact. Near the end of their island's tick, or where it has none, all of it is solved.
     """
     bodies, contacts = island
-    count = list_wanted(state, balls, flights, bodies, first, second)
+    count, rings = list_wanted(state, balls, flights, bodies, first, second), 1
     while True:
-        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
+        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count, rings)
+        rings = more_rings(rings, count)
         time, low = next_tick(flights, bodies, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
@@ -89,7 +90,7 @@ def jolt(
             break
     tick = tick_of(bodies, contacts, shapes, counts)
     tau, time, low = in_time(state, tick, tau, time, low)
-    sooner, sooner_low = time, low
+    sooner, sooner_low, rings = time, low, 1
     while True:
         aim_at_middle(state, shapes, island, found, tau)
         adjust_accelerations(bodies, contacts, counts, tau, JOLT_TOLERANCE * speed)
@@ -101,7 +102,8 @@ def jolt(
             break
         if not take_in_pushed(flights, bodies, count, tau, JOLT_SHARE * speed):
             break
-        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count)
+        count = widen(state, balls, shapes, index, cells, members, flights, relations, bodies, count, rings)
+        rings = more_rings(rings, count)
         found = fill_contacts(state, balls, flights, shapes, relations, island, count)
         counts = (count, found)
     end_contacts(state, balls, shapes, index, cells, members, flights, relations, island, counts, speed, True)
@@ -301,19 +303,29 @@ def widen(
     relations: Table[RelationRow],
     bodies: Table[BodyRow],
     count: int,
+    rings: int,
 ) -> int:
-    """The number of bodies after those that are wanted were taken into the core, and their neighbours listed."""
-    known = count
-    for k in range(known):
-        if bodies[k]["core"] == WANTED:
-            begin_now(
-                state, balls, shapes, index, cells, members, flights, relations, row_of(bodies[k]["ball"])
-            )  # fmt: skip
-            listed = count
-            count = enlist_neighbours(balls, flights, relations, bodies, count, k)
-            for new in range(listed, count):
-                fill_body(state, balls[bodies[new]["ball"]], flights[bodies[new]["ball"]], bodies[new])
+    """The number of bodies after those that are wanted were taken into the core, and their neighbours listed.
+
+    Of more `rings` than one, all but the last are taken into the core too: those around, those around these, and so on.
+    """
+    for ring in range(rings):
+        known = count
+        for k in range(known):
+            if bodies[k]["core"] == WANTED or (ring > 0 and bodies[k]["core"] == 0):
+                begin_now(
+                    state, balls, shapes, index, cells, members, flights, relations, row_of(bodies[k]["ball"])
+                )  # fmt: skip
+                listed = count
+                count = enlist_neighbours(balls, flights, relations, bodies, count, k)
+                for new in range(listed, count):
+                    fill_body(state, balls[bodies[new]["ball"]], flights[bodies[new]["ball"]], bodies[new])
     return count
+
+
+def more_rings(rings: int, count: int) -> int:
+    """How many rings a jolt takes in after so many, with which it has `count` bodies: one more each time at first."""
+    return rings + 1 if count < JOLT_NEAR else 1
 
 
 def is_any_asleep(flights: Table[FlightRow], bodies: Table[BodyRow], count: int) -> bool:

@@ -8,13 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Ball, Circle, Segment
-from carom.constants import IMPACT_SHARE, ISLAND_TURN, JOLT_MOST, JOLT_SHARE, LEAST_TICK, REBOUND
+from carom.constants import IMPACT_SHARE, ISLAND_TURN, JOLT_MOST, JOLT_NEAR, JOLT_SHARE, LEAST_TICK, REBOUND
 from carom.rows.flight import ASLEEP, FLYING, NO_BALL, NO_TICK
 from carom.rows.island import WANTED
 from carom.rows.relation import LASTING, LYING
 from carom.world.kernels.continuous import jolt as module
 from carom.world.kernels.continuous.island import part
-from carom.world.kernels.continuous.jolt import is_any_asleep, take_in_pushed, take_in_reached, widen
+from carom.world.kernels.continuous.jolt import is_any_asleep, more_rings, take_in_pushed, take_in_reached, widen
 from carom.world.kernels.continuous.settling import begin_now
 from carom.world.tables import Arrays
 from tests.heaps import (
@@ -230,7 +230,7 @@ def test_who_is_wanted_begins_a_flight_and_lists_its_neighbours() -> None:
     arrays.flights["body"][4] = 1
     bodies["x"][0] = 4.0
     tables = *near_tables(arrays), arrays.flights, arrays.relations, bodies
-    assert widen(arrays.states[0], arrays.balls.rows, *tables, 1) == 3
+    assert widen(arrays.states[0], arrays.balls.rows, *tables, 1, 1) == 3
     assert sorted(bodies["ball"][:3].tolist()) == [3, 4, 5]
     assert bodies["core"][:3].tolist() == [1, 0, 0]
     now = arrays.states[0]["now"]
@@ -239,6 +239,20 @@ def test_who_is_wanted_begins_a_flight_and_lists_its_neighbours() -> None:
     assert NO_BALL not in bodies["ball"][:3]
     assert pairs_of(arrays, LASTING) >= {(3, 0), (4, 0), (5, 0)}
     assert pairs_of(arrays, LYING) >= {(3, 4), (4, 3)}
+
+
+def test_rings_around_who_is_wanted_are_taken_in_with_it() -> None:
+    arrays = chain()
+    bodies = arrays.island[0]
+    bodies["ball"][0], bodies["core"][0] = 4, WANTED
+    arrays.flights["body"][4] = 1
+    tables = *near_tables(arrays), arrays.flights, arrays.relations, bodies
+    assert widen(arrays.states[0], arrays.balls.rows, *tables, 1, 3) == 7
+    # Two rings are in the core, the third is beside it.
+    core = {int(body["ball"]): int(body["core"]) for body in bodies[:7]}
+    assert core == {4: 1, 3: 1, 5: 1, 2: 1, 6: 1, 1: 0, 7: 0}
+    assert [more_rings(rings, JOLT_NEAR - 1) for rings in (1, 2)] == [2, 3]
+    assert more_rings(3, JOLT_NEAR) == 1
 
 
 def test_whom_an_event_leaves_as_it_was_flies_on() -> None:
