@@ -441,7 +441,9 @@ def scripted(seed: int, seconds: int) -> tuple[str, int]:
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_the_same_seed_and_presses_make_the_same_bits() -> None:
-    assert scripted(5, 8) == scripted(5, 8) != scripted(6, 8)
+    assert scripted(5, 8) == scripted(5, 8)
+    # Some seeds light the same lane.
+    assert len({scripted(seed, 8) for seed in range(5, 9)}) > 1
 
 
 @pytest.mark.slow

@@ -226,6 +226,7 @@ def _without_collector() -> Iterator[None]:
         if was:
             if gc.get_freeze_count() == 0:
                 # What was made counts as old from now on, for the search for young garbage would go through all of it.
+                # Where some are frozen, as Python 3.12 does at its start, they are to stay so.
                 gc.freeze()
                 gc.unfreeze()
             gc.enable()

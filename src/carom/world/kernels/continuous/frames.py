@@ -54,7 +54,7 @@ from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
 from carom.world.kernels.step.ending import find_strays, sweep_relations
-from carom.world.kernels.step.motion import wake_all
+from carom.world.kernels.step.motion import unsoundness, wake_all
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound, shapes_are_sound
 from carom.world.kernels.step.spending import keep_spent, unspend
@@ -278,10 +278,7 @@ def take_up(
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
         if not changed and is_as_shown(ball, flight):
-            ball["x"] = flight["x"]
-            ball["y"] = flight["y"]
-            ball["vx"] = flight["vx"]
-            ball["vy"] = flight["vy"]
+            take_back_ball(ball, flight)
         else:
             flights[len(flights) // 2 + i] = flight
             if not changed and lies(relations, ball):
@@ -336,11 +333,11 @@ def finish_frame(
     stopped = is_stopped(state, flights)
     enough = 0 < state["stop_hits"] <= state["hits"]
     last = state["steps_left"] == 1 or stopped or enough or state["bounded"] != 0
-    if not is_shown_sound(state, balls, flights):
+    sound = show(state, balls, shapes, relations, flights) if last else is_shown_sound(state, balls, flights)
+    if not sound:
         undo(states, balls, shapes, order, saved, relations, flights)
         return NOT_FINITE
     if last:
-        show(state, balls, shapes, relations, flights)
         show_movers(state, shapes, order)
         state["running"] = 0
     begin, end = shown_shapes(state)
@@ -373,9 +370,7 @@ def is_stopped(state: StateRow, flights: Table[FlightRow]) -> bool:
 def is_shown_sound(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
     """True if all balls are at finite places now, with finite velocities."""
     for i in range(state["balls"]):
-        x, y, vx, vy = place_after(balls[i], flights[i], age_now(state, flights[i]))
-        # Infinity minus itself is NaN, and NaN equals nothing.
-        if not (x - x == 0.0 and y - y == 0.0 and vx - vx == 0.0 and vy - vy == 0.0):
+        if unsoundness(*place_after(balls[i], flights[i], age_now(state, flights[i]))) != 0.0:
             return False
     return True
 
@@ -386,12 +381,19 @@ def show(
     shapes: Table[ShapeRow],
     relations: Table[RelationRow],
     flights: Table[FlightRow],
-) -> None:
-    """Let the balls' rows show where they are now, and their flights keep where those began."""
+) -> bool:
+    """True when the balls' rows show where they are now, and their flights keep where those began.
+
+    False if one is at no finite place, or has no finite velocity: then none is shown.
+    """
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
         age = age_now(state, flight)
         x, y, vx, vy = place_after(ball, flight, age)
+        if unsoundness(x, y, vx, vy) != 0.0:
+            for k in range(i):
+                take_back_ball(balls[k], flights[k])
+            return False
         held = slides_along(ball, flight, shapes, relations) if ball["relation"] != NO_RELATION else NO_RELATION
         if held != NO_RELATION:
             x, y, vx, vy = slid_place(state, ball, flight, shapes[held], age)
@@ -410,6 +412,15 @@ def show(
         flight["shown_y"] = y
         flight["shown_vx"] = vx
         flight["shown_vy"] = vy
+    return True
+
+
+def take_back_ball(ball: BallRow, flight: FlightRow) -> None:
+    """Let a ball's row be where its flight began, after it has shown where the ball is."""
+    ball["x"] = flight["x"]
+    ball["y"] = flight["y"]
+    ball["vx"] = flight["vx"]
+    ball["vy"] = flight["vy"]
 
 
 def undo(
@@ -424,8 +435,7 @@ def undo(
     """Put everything back to what it was when the step began; the copies tell what was not finite any more."""
     number, spent = int(states[0]["step_number"]), int(states[0]["spent"])
     for i in range(states[0]["balls"]):
-        x, y, vx, vy = place_after(balls[i], flights[i], age_now(states[0], flights[i]))
-        sound = x - x == 0.0 and y - y == 0.0 and vx - vx == 0.0 and vy - vy == 0.0
+        sound = unsoundness(*place_after(balls[i], flights[i], age_now(states[0], flights[i]))) == 0.0
         saved[i]["overflowed"] = 0 if sound else 1
         if flights[i]["kept"] == number:
             go_back(balls[i], flights, i)
@@ -465,10 +475,7 @@ def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:
     """Put a ball back onto the flight that it was on when the step began."""
     flights[i] = flights[len(flights) // 2 + i]
     flight = flights[i]
-    ball["x"] = flight["x"]
-    ball["y"] = flight["y"]
-    ball["vx"] = flight["vx"]
-    ball["vy"] = flight["vy"]
+    take_back_ball(ball, flight)
     ball["still_time"] = flight["still_time"]
     ball["relation"] = flight["relation"]
     ball["asleep"] = flight["asleep"]

@@ -17,7 +17,7 @@ from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, op
 from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, note_course, place_after
 from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
-from carom.world.kernels.continuous.predict_shapes import asks_all_fixed, known_until, predict_members, predict_shapes
+from carom.world.kernels.continuous.predict_shapes import asks_bit_by_bit, known_until, predict_members, predict_shapes
 from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
@@ -123,7 +123,7 @@ def file_anew(
         file_ball(state, balls, flights, heads, i, age)
         predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
     foresee_filing(state, balls[i], flight, age)
-    if asks_all_fixed(state, index):
+    if asks_bit_by_bit(state, index):
         until = known_until(flight)
         predict_members(state, balls[i], flight, shapes, order, relations, 0, int(state["fixed"]), age, until)
     queue_up(state, flights, queue, i)

@@ -57,7 +57,7 @@ def predict_shapes(
     )
     if moves:
         if asks_all_fixed(state, index):
-            until = inf if state["binned"] == 0 else known_until(flight)
+            until = known_until(flight) if asks_bit_by_bit(state, index) else inf
             fixed = int(state["fixed"])
             predict_members(state, ball, flight, shapes, order, relations, 0, fixed, age, until)
         else:
@@ -71,6 +71,14 @@ def asks_all_fixed(state: StateRow, index: Table[IndexRow]) -> bool:
     return bool(
         state["fixed"] <= FEW_SHAPES or state["broad_phase"] != GRID or float(index[FIXED]["side"]) == inf
     )  # fmt: skip
+
+
+def asks_bit_by_bit(state: StateRow, index: Table[IndexRow]) -> bool:
+    """True if all static shapes are asked, and each time no farther than up to when the ball is filed anew.
+
+    Not where there are kinematic shapes: these are looked for up to the impact with a static one.
+    """
+    return bool(state["binned"] != 0 and state["fixed"] == state["shapes"]) and asks_all_fixed(state, index)
 
 
 def known_until(flight: FlightRow) -> float:

@@ -155,6 +155,18 @@ def test_a_second_step_of_a_run_that_fails_leaves_what_the_first_one_made() -> N
     assert picture(world) == picture(other)
 
 
+@pytest.mark.parametrize("steps", [3, 4])
+def test_steps_made_at_once_that_fail_show_who_only_flew_where_those_before_left_it(steps: int) -> None:
+    # The last of them shows its balls one by one, those before the one that overflows too.
+    balls = Ball((0, 0), 1, velocity=(1, 2)), Ball((0, 9), 1, velocity=(0.8e308, 0))
+    world = continuous_world(*balls, gravity=(0, -1))
+    with pytest.raises(NonFiniteState):
+        world._advance(steps, 1.0)
+    assert world.time == 2.0
+    assert world.balls[0].position == (2.0, 2.0)
+    assert world.balls[0].velocity == (1.0, 0.0)
+
+
 def test_a_mover_that_overflows_is_undone_too() -> None:
     world = room()
     world.add(Segment((0, 20), (1, 20), motion="kinematic", velocity=(1e308, 0)))
