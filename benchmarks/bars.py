@@ -9,6 +9,7 @@ from math import floor, log10
 
 import numpy as np
 
+from benchmarks.engines import CONTINUOUS
 from carom import Aabb
 from carom.draw.paint.painter import Lettering, Style
 from carom.draw.paint.svg import SvgPainter
@@ -16,14 +17,17 @@ from carom.draw.parts.frame import Frame
 
 WIDTH = 520.0
 LEFT, RIGHT = 148.0, 452.0  # of the bars, in pixels
-BAR, BETWEEN, HEADING, EDGE = (
-    13.0,
-    20.0,
-    34.0,
-    44.0,
-)  # how thick a bar is, from one to the next, above the first, around
+#: How thick a bar is, from one to the next, above the first of a work, and around all.
+BAR, BETWEEN, HEADING, EDGE = 13.0, 20.0, 34.0, 44.0
 #: So many powers of ten are written each, and of more every second.
 MANY = 5.0
+#: How the bars of engines look.
+STYLES = {
+    "carom": Style(fill="ball-3"),
+    CONTINUOUS: Style(fill="ball-1"),
+    "pymunk": Style(fill="ball-4"),
+    "Box2D": Style(fill="ball-2"),
+}
 
 
 @dataclass(frozen=True)

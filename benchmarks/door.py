@@ -10,22 +10,15 @@ import numpy as np
 import carom
 from benchmarks import bars
 from benchmarks.common import Figure, race
-from benchmarks.engines import CONTINUOUS, engines
+from benchmarks.engines import engines
 from benchmarks.setup import Setup
 from carom import outlines
-from carom.draw.paint.painter import Style
 
 TITLE = "The door from Python: one ball and two walls, one substep"
 TIME_STEP = 1.0 / 60.0
 RADIUS = 0.5
 
 
-STYLES = {
-    "carom": Style(fill="ball-3"),
-    CONTINUOUS: Style(fill="ball-1"),
-    "pymunk": Style(fill="ball-4"),
-    "Box2D": Style(fill="ball-2"),
-}
 #: The works of which there is a chart: those that the peers can do too.
 SHARED = ("a step, no hit", "a step with a hit", "a ball's position")
 
@@ -144,9 +137,9 @@ def chart(figures: list[Figure]) -> str:
         bars.Work(
             name,
             [
-                bars.Bar(figure.engine, figure.value, f"{figure.value:.2f}", STYLES[figure.engine])
+                bars.Bar(figure.engine, figure.value, f"{figure.value:.2f}", bars.STYLES[figure.engine])
                 for figure in figures
-                if figure.workload == name and figure.engine in STYLES
+                if figure.workload == name and figure.engine in bars.STYLES
             ],
         )
         for name in SHARED

@@ -10,7 +10,6 @@ from time import perf_counter
 from benchmarks import bars
 from benchmarks.common import Figure
 from benchmarks.engines import CONTINUOUS, engines
-from carom.draw.paint.painter import Style
 
 TITLE = "Start-up, in fresh processes; those of a first step wait for the compiler"
 MODULES = {"carom": "carom", "pymunk": "pymunk", "Box2D": "pyb2d3"}
@@ -19,12 +18,6 @@ FIRST_STEP = "engine = engines(True)[{name!r}](gas(100)); began = perf_counter()
 
 #: What makes a picture, as `carom` does on the command line.
 PICTURE = "import sys; from carom.cli import main; sys.argv = ['carom', *sys.argv[1:]]; main()"
-STYLES = {
-    "carom": Style(fill="ball-3"),
-    CONTINUOUS: Style(fill="ball-1"),
-    "pymunk": Style(fill="ball-4"),
-    "Box2D": Style(fill="ball-2"),
-}
 #: What the works of the table are called in the chart.
 CALLED = {
     "import": "import",
@@ -80,10 +73,12 @@ def chart(figures: list[Figure]) -> str:
     """How long nothing is there as a chart, SVG."""
     works = []
     for workload, name in CALLED.items():
-        found = [figure for figure in figures if figure.workload == workload and figure.engine in STYLES]
+        found = [figure for figure in figures if figure.workload == workload and figure.engine in bars.STYLES]
         told = [(figure, figure.value * (1e-3 if figure.unit == "ms" else 1.0)) for figure in found]
         works.append(
-            bars.Work(name, [bars.Bar(one.engine, value, in_words(value), STYLES[one.engine]) for one, value in told])
+            bars.Work(
+                name, [bars.Bar(one.engine, value, in_words(value), bars.STYLES[one.engine]) for one, value in told]
+            )
         )
     return bars.draw("From nothing, in fresh processes", "time", [work for work in works if work.bars], in_words)
 
