@@ -8,7 +8,7 @@ import numpy as np
 
 from carom.rows.state import CHANGED, DISCRETE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.frames import is_any_changed
+from carom.world.kernels.continuous.showing import is_any_changed
 from carom.world.kernels.step.beginning import was_changed
 from carom.world.tables import Arrays
 

@@ -26,6 +26,7 @@ from carom.world.endings import Until, ending_of
 from carom.world.hits import Hits
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.continuous.frames import undo
+from carom.world.kernels.continuous.showing import call_back_flown
 from carom.world.kernels.step.discrete import step_discrete
 from carom.world.kernels.step.rollback import call_back, roll_back
 from carom.world.members import NO_BALLS, Members
@@ -298,9 +299,12 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         tables = (
             arrays.states, arrays.balls.rows, arrays.shape_table.rows, arrays.order, arrays.saved, arrays.relations
         )  # fmt: skip
-        if arrays.states[0]["stage"] == BEGIN:
+        begins, discrete = arrays.states[0]["stage"] == BEGIN, arrays.states[0]["detection"] == DISCRETE
+        if begins and discrete:
             call_back(arrays.states[0], arrays.balls.rows, arrays.saved)
-        elif arrays.states[0]["detection"] == DISCRETE:
+        elif begins:
+            call_back_flown(arrays.states[0], arrays.balls.rows, arrays.flights)
+        elif discrete:
             roll_back(*tables)
         else:
             undo(*tables, arrays.flights)

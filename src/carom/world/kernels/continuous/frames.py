@@ -1,4 +1,4 @@
-"""Between two steps: what users see of the film, what they have changed in it, and how a step that fails is undone."""
+"""Between two steps: what users have changed in the film is taken up, and a step that fails is undone."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
-from carom.rows.relation import NO_RELATION, RelationRow
+from carom.rows.relation import RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
@@ -26,8 +26,6 @@ from carom.rows.state import (
     NEEDS_ROOM,
     NOT_FINITE,
     NOTE,
-    OTHER_REACH,
-    REFUSED,
     STALE,
     TAKE_UP,
     TOO_MANY_IMPACTS,
@@ -51,12 +49,18 @@ from carom.world.kernels.continuous.movers import (
     unlist_resting,
 )
 from carom.world.kernels.continuous.regions import rebuild_regions
-from carom.world.kernels.continuous.rest import slow_since
-from carom.world.kernels.continuous.sliding import slid_place, slides_along
+from carom.world.kernels.continuous.showing import (
+    is_as_shown,
+    is_shown_sound,
+    look_at_balls,
+    show,
+    show_as_seen,
+    take_back_ball,
+)
 from carom.world.kernels.step.ending import find_strays, sweep_relations
 from carom.world.kernels.step.motion import unsoundness, wake_all
 from carom.world.kernels.step.relations import relations_room
-from carom.world.kernels.step.soundness import is_good, is_in_reach, is_measured, is_sound, shapes_are_sound
+from carom.world.kernels.step.soundness import is_in_reach, shapes_are_sound
 from carom.world.kernels.step.spending import keep_spent, unspend
 from carom.world.kernels.step.stages import enter_stage
 
@@ -79,7 +83,6 @@ def begin_film_step(
         bad, changed = look_at_balls(state, balls, flights)
         if bad != DONE:
             return bad
-        changed = changed or state["wake"] != 0
         if state["sleeping"] > 0 and changed and state["wake"] == 0:
             state["wake"] = CHANGED
         if state["index_stale"] + state["taken"] + state["put"] > 0:
@@ -102,59 +105,8 @@ def begin_film_step(
         enter_stage(state, NOTE)
     else:
         enter_stage(state, TAKE_UP)
+        state["running"] = 1
     return DONE
-
-
-def look_at_balls(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> tuple[int, bool]:
-    """DONE where the balls are what balls may be, and whether one is not as it was shown last, or was not there.
-
-    Keeps them as they are seen, for a step that fails to go back to; notes where the index of shapes does not serve
-    their size.
-    """
-    largest, changed = 0.0, False
-    for i in range(state["balls"]):
-        ball = balls[i]
-        if not is_good(ball):
-            return (REFUSED if is_sound(ball) and is_measured(ball) else NOT_FINITE), False
-        largest = max(largest, float(ball["radius"]))
-        keep_seen(ball, flights[i])
-        changed = changed or not is_as_shown(ball, flights[i])
-    if largest > state["reach"] or largest * 4.0 < state["reach"]:
-        state["reach"] = largest
-        if state["index_stale"] == 0:
-            state["index_stale"] = OTHER_REACH
-        state["foreseen"] = 0
-    return DONE, changed
-
-
-def keep_seen(ball: BallRow, flight: FlightRow) -> None:
-    """Keep a ball as it is seen."""
-    flight["seen_x"] = ball["x"]
-    flight["seen_y"] = ball["y"]
-    flight["seen_vx"] = ball["vx"]
-    flight["seen_vy"] = ball["vy"]
-    flight["seen_still"] = ball["still_time"]
-    flight["seen_relation"] = ball["relation"]
-    flight["seen_asleep"] = ball["asleep"]
-
-
-def is_any_changed(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
-    """True if a ball is not as it was shown last, or was not there."""
-    changed = False
-    for i in range(state["balls"]):
-        changed = changed or not is_as_shown(balls[i], flights[i])
-    return changed
-
-
-def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
-    """True if a ball's row is as it was shown last."""
-    return bool(
-        flight["id"] == ball["id"]
-        and ball["x"] == flight["shown_x"]
-        and ball["y"] == flight["shown_y"]
-        and ball["vx"] == flight["shown_vx"]
-        and ball["vy"] == flight["shown_vy"]
-    )
 
 
 def take_up_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
@@ -275,6 +227,23 @@ def take_up(
     take_up_motions(state, shapes, order)
     state["wake"] = 0
     foresee_changes(state, shapes, order)
+    if state["running"] == 0:
+        take_up_balls(state, balls, shapes, relations, flights, bodies, changed)
+        state["running"] = 1
+    enter_stage(state, FLY if state["foreseen"] != 0 else FORESEE)
+    return DONE
+
+
+def take_up_balls(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+    bodies: Table[BodyRow],
+    changed: bool,
+) -> None:
+    """Put every ball back onto its flight; begin a new one where all have `changed`, or where the ball was."""
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
         if not changed and is_as_shown(ball, flight):
@@ -290,9 +259,6 @@ def take_up(
                 flight["tick_time"] = state["now"]
                 flight["tick_low"] = state["now_low"]
             hold(state, ball, flight, shapes, relations, True)
-    state["running"] = 1
-    enter_stage(state, FLY if state["foreseen"] != 0 else FORESEE)
-    return DONE
 
 
 def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
@@ -367,62 +333,6 @@ def is_stopped(state: StateRow, flights: Table[FlightRow]) -> bool:
     return False
 
 
-def is_shown_sound(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
-    """True if all balls are at finite places now, with finite velocities."""
-    for i in range(state["balls"]):
-        if unsoundness(*place_after(balls[i], flights[i], age_now(state, flights[i]))) != 0.0:
-            return False
-    return True
-
-
-def show(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    relations: Table[RelationRow],
-    flights: Table[FlightRow],
-) -> bool:
-    """True when the balls' rows show where they are now, and their flights keep where those began.
-
-    False if one is at no finite place, or has no finite velocity: then none is shown.
-    """
-    for i in range(state["balls"]):
-        ball, flight = balls[i], flights[i]
-        age = age_now(state, flight)
-        x, y, vx, vy = place_after(ball, flight, age)
-        if unsoundness(x, y, vx, vy) != 0.0:
-            for k in range(i):
-                take_back_ball(balls[k], flights[k])
-            return False
-        held = slides_along(ball, flight, shapes, relations) if ball["relation"] != NO_RELATION else NO_RELATION
-        if held != NO_RELATION:
-            x, y, vx, vy = slid_place(state, ball, flight, shapes[held], age)
-        still = age - slow_since(state, ball, flight, age)
-        flight["x"] = ball["x"]
-        flight["y"] = ball["y"]
-        flight["vx"] = ball["vx"]
-        flight["vy"] = ball["vy"]
-        ball["x"] = x
-        ball["y"] = y
-        ball["vx"] = vx
-        ball["vy"] = vy
-        if flight["kind"] == FLYING:
-            ball["still_time"] = still
-        flight["shown_x"] = x
-        flight["shown_y"] = y
-        flight["shown_vx"] = vx
-        flight["shown_vy"] = vy
-    return True
-
-
-def take_back_ball(ball: BallRow, flight: FlightRow) -> None:
-    """Let a ball's row be where its flight began, after it has shown where the ball is."""
-    ball["x"] = flight["x"]
-    ball["y"] = flight["y"]
-    ball["vx"] = flight["vx"]
-    ball["vy"] = flight["vy"]
-
-
 def undo(
     states: Table[StateRow],
     balls: Table[BallRow],
@@ -441,6 +351,7 @@ def undo(
             go_back(balls[i], flights, i)
     states[0] = states[1]
     state = states[0]
+    state["cursor"] = 0
     count = int(state["shapes"])
     begin, end = shown_shapes(state)
     for k in range(begin, end):
@@ -460,7 +371,7 @@ def undo(
     for k in range(state["relations_high"]):
         relations[k] = relations[half + k]
     if state["running"] == 0:
-        show_as_seen(state, balls, flights)
+        show_as_seen(balls, flights, int(state["balls"]))
     else:
         show(state, balls, shapes, relations, flights)
     if state["running"] != 0 or state["kept_whole"] == UNCHANGED:
@@ -479,16 +390,3 @@ def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:
     ball["still_time"] = flight["still_time"]
     ball["relation"] = flight["relation"]
     ball["asleep"] = flight["asleep"]
-
-
-def show_as_seen(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> None:
-    """Let the balls' rows be what they were before the call."""
-    for i in range(state["balls"]):
-        ball, flight = balls[i], flights[i]
-        ball["x"] = flight["seen_x"]
-        ball["y"] = flight["seen_y"]
-        ball["vx"] = flight["seen_vx"]
-        ball["vy"] = flight["seen_vy"]
-        ball["still_time"] = flight["seen_still"]
-        ball["relation"] = flight["seen_relation"]
-        ball["asleep"] = flight["seen_asleep"]
