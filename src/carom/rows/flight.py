@@ -109,7 +109,8 @@ class FlightRow(CourseRow):
 class QueueRow(TypedDict):
     """A place in the queue of coming events; and of the ball that has the same row when it is due, and where it stands.
 
-    There is one more row than balls: its `time` is that up to which the queue of a crowd goes.
+    There is one more row than balls: its `time` is that up to which the queue of a crowd goes, its `due` how many
+    seconds at once it is filled with.
     """
 
     time: f8  # of the event

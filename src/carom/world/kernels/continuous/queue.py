@@ -15,9 +15,13 @@ from carom.rows.flight import NO_BALL, NO_PLACE, FlightRow, QueueRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 
-#: Part of the time for which the balls of a crowd wait for their next event on the whole: the queue is filled with what
-#: comes in it. More means a longer queue, less means it is filled more often.
+#: Part of the time for which the balls of a crowd wait for their next event on the whole: at first the queue is filled
+#: with what comes in it. More means a longer queue, less means it is filled more often.
 QUEUE_SHARE = 0.0625
+
+#: Of a crowd, the part that the queue holds when it was filled, at least and at most; where it is less or more, it is
+#: filled for twice or half as long the next time.
+QUEUE_LEAST, QUEUE_MOST = 0.03125, 0.125
 
 
 def row_of(number: int) -> int:
@@ -54,22 +58,50 @@ def front_of(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow])
 
 
 def fill_queue(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]) -> None:
-    """Put those into the queue of a crowd, which is empty, for whom something comes soon, if there are any."""
+    """Put those into the queue of a crowd, which is empty, for whom something comes soon, if there are any.
+
+    How far it goes follows from how many the last time found: a pass over all balls that looks for it is saved.
+    """
     last, count = len(queue) - 1, int(state["balls"])
-    if queue[last]["time"] == inf:
+    known = float(queue[last]["time"])
+    if known == inf:
         return
-    now, least, wait, waiting = float(state["now"]), inf, 0.0, 0
-    for i in range(count):
+    now = float(state["now"])
+    span = float(queue[last]["due"]) if known > -inf else QUEUE_SHARE * mean_wait(state, queue)
+    until = max(now, known) + span
+    least = enter_due(state, flights, queue, until)
+    if state["queued"] == 0:
+        until = least + span
+        enter_due(state, flights, queue, until)
+    if state["queued"] > QUEUE_MOST * count:
+        span *= 0.5
+    elif state["queued"] < QUEUE_LEAST * count:
+        span = max(2.0 * span, QUEUE_SHARE * mean_wait(state, queue))
+    queue[last]["time"] = until
+    queue[last]["due"] = span
+
+
+def mean_wait(state: StateRow, queue: Table[QueueRow]) -> float:
+    """The seconds for which balls wait for their next event on the whole, of those that do; infinite if none does."""
+    now, wait, waiting = float(state["now"]), 0.0, 0
+    for i in range(state["balls"]):
         due = float(queue[i]["due"])
         if due < inf:
-            least = min(least, due)
             wait += due - now
             waiting += 1
-    until = least + QUEUE_SHARE * (wait / waiting) if waiting > 0 else inf
-    queue[last]["time"] = until
-    for i in range(count):
-        if queue[i]["due"] <= until and queue[i]["due"] < inf:
-            put_event(state, flights, queue, i)
+    return wait / waiting if waiting > 0 else inf
+
+
+def enter_due(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], until: float) -> float:
+    """Put those into the queue, which is empty, who are due up to a time; the least time at which another one is."""
+    least = inf
+    for i in range(state["balls"]):
+        due = float(queue[i]["due"])
+        if due > until:
+            least = min(least, due)
+        elif due < inf:
+            enter(state, flights, queue, i, due)
+    return least
 
 
 def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
@@ -80,11 +112,16 @@ def put_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]
     if state["binned"] != 0 and due > queue[len(queue) - 1]["time"]:
         leave(state, flights, queue, ball, place)
     elif place == NO_PLACE:
-        place = int(state["queued"])
-        state["queued"] = place + 1
-        sift_up(flights, queue, ball, place)
+        enter(state, flights, queue, ball, due)
     else:
-        move_event(state, flights, queue, ball, place)
+        move_event(state, flights, queue, ball, due, place)
+
+
+def enter(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, due: float) -> None:
+    """Put a ball into the queue that is not in it and is due at a time."""
+    place = int(state["queued"])
+    state["queued"] = place + 1
+    sift_up(flights, queue, ball, due, place)
 
 
 def take_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int) -> None:
@@ -101,30 +138,33 @@ def leave(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ba
     last = int(state["queued"]) - 1
     state["queued"] = last
     if place < last:
-        move_event(state, flights, queue, row_of(queue[last]["ball"]), place)
+        move_event(state, flights, queue, row_of(queue[last]["ball"]), float(queue[last]["time"]), place)
 
 
-def move_event(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
-    """Put a ball where it belongs, which is above the free `place`, there or below it."""
-    if sift_up(flights, queue, ball, place) == place and 2 * place + 1 < state["queued"]:
-        sift_down(state, flights, queue, ball, place)
+def move_event(
+    state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, due: float, place: int
+) -> None:  # fmt: skip
+    """Put a ball that is due at a time where it belongs, which is above the free `place`, there or below it."""
+    if sift_up(flights, queue, ball, due, place) == place and 2 * place + 1 < state["queued"]:
+        sift_down(state, flights, queue, ball, due, place)
 
 
-def sift_up(flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> int:
+def sift_up(flights: Table[FlightRow], queue: Table[QueueRow], ball: int, due: float, place: int) -> int:
     """The place of a ball after it was moved up from the free `place` as far as it belongs, and written there."""
-    time = float(flights[ball]["due_time"])
     while place > 0:
         parent = (place - 1) >> 1
         above, least = row_of(queue[parent]["ball"]), float(queue[parent]["time"])
-        if not (time < least or (time == least and is_sooner(flights, ball, above))):
+        if not (due < least or (due == least and is_sooner(flights, ball, above))):
             break
         stand_at(queue, place, above, least)
         place = parent
-    stand_at(queue, place, ball, time)
+    stand_at(queue, place, ball, due)
     return place
 
 
-def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, place: int) -> None:
+def sift_down(
+    state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow], ball: int, due: float, place: int
+) -> None:  # fmt: skip
     """Move a ball down from `place` as far as it belongs, which is no higher.
 
     Those below move up, the sooner of every two, down to the end, and the ball goes up from there: most belong low.
@@ -132,17 +172,23 @@ def sift_down(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow]
     last = int(state["queued"]) - 1
     child = 2 * place + 1
     while child <= last:
-        time = float(queue[child]["time"])
         if child < last:
-            other = float(queue[child + 1]["time"])
-            one, two = row_of(queue[child]["ball"]), row_of(queue[child + 1]["ball"])
-            if other < time or (other == time and is_sooner(flights, two, one)):
-                child += 1
-                time = other
-        stand_at(queue, place, row_of(queue[child]["ball"]), time)
+            child += second_is_sooner(flights, queue, child)
+        stand_at(queue, place, row_of(queue[child]["ball"]), float(queue[child]["time"]))
         place = child
         child = 2 * place + 1
-    sift_up(flights, queue, ball, place)
+    sift_up(flights, queue, ball, due, place)
+
+
+def second_is_sooner(flights: Table[FlightRow], queue: Table[QueueRow], place: int) -> int:
+    """1 if who stands behind a place is to be dealt with before who stands there, else 0.
+
+    A number, as which of the two it is no processor foresees.
+    """
+    time, other = float(queue[place]["time"]), float(queue[place + 1]["time"])
+    if other == time:
+        return int(is_sooner(flights, row_of(queue[place + 1]["ball"]), row_of(queue[place]["ball"])))
+    return int(other < time)
 
 
 def stand_at(queue: Table[QueueRow], place: int, ball: int, time: float) -> None:

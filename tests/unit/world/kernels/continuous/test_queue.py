@@ -10,7 +10,16 @@ import pytest
 from carom.geometry.instants import is_before
 from carom.rows.flight import FLIGHT, NO_BALL, NO_PLACE, QUEUE
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.queue import front_of, is_sooner, open_queue, put_event, row_of, take_event
+from carom.world.kernels.continuous.queue import (
+    QUEUE_LEAST,
+    QUEUE_MOST,
+    front_of,
+    is_sooner,
+    open_queue,
+    put_event,
+    row_of,
+    take_event,
+)
 from tests.kernel_calls import ball_rows, state_row
 
 BALLS = 40
@@ -141,3 +150,26 @@ def test_of_a_crowd_the_queue_holds_what_comes_soon_and_all_come_in_order(seed: 
     assert not waiting
     assert (int(state["queued"]), float(queue[count]["time"])) == (0, inf)
     assert 4 < longest < count
+
+
+@pytest.mark.parametrize("soon", [0.0, 1e-6])
+def test_a_queue_that_was_filled_with_too_few_or_too_many_is_filled_otherwise_the_next_time(soon: float) -> None:
+    count, fillings = 100, []
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(count, FLIGHT), np.zeros(count + 1, QUEUE)
+    state["balls"], state["binned"] = count, 1
+    open_queue(state, queue)
+    for ball in range(count):
+        flights[ball]["due_time"] = soon * ball if ball < 98 else 1.0
+        put_event(state, flights, queue, ball)
+    # Nearly all wait for what comes at once, or all but, then for what comes much later, then for what comes soon.
+    for k in range(15 * count):
+        if state["queued"] == 0:
+            front_of(state, flights, queue)
+            fillings.append((k, int(state["queued"])))
+        first = int(queue[0]["ball"])
+        state["now"] = flights[first]["due_time"]
+        flights[first]["due_time"] += (100.0 if k < 3 * count else 1.0) * (1.0 + first / count)
+        put_event(state, flights, queue, first)
+    later = [found for k, found in fillings if count < k < 3 * count]
+    assert 0 < len(later) < 2 / QUEUE_LEAST
+    assert fillings[-1][1] < 2 * QUEUE_MOST * count
