@@ -48,6 +48,7 @@ def predict_all(
         return False
     for i in range(state["balls"]):
         predict_own(state, balls, flights, shapes, relations, i)
+        foresee_filing(state, balls[i], flights[i], age_now(state, flights[i]))
     for i in range(state["balls"]):
         if state["bin_levels"] != 0 and flights[i]["kind"] == FLYING:
             predict_balls(state, balls, heads, flights, relations, i, False)
@@ -77,6 +78,8 @@ def predict(
     if state["binned"] != 0:
         note_course(state, balls[i], flights[i])
         keep_filed(state, balls, flights, heads, i)
+    else:
+        never_filed_anew(flights[i])
     predict_own(state, balls, flights, shapes, relations, i)
     # One that sleeps, too: an impact may have been known in its place alone.
     if state["bin_levels"] != 0:
@@ -91,11 +94,15 @@ def predict(
 def keep_filed(
     state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], i: int
 ) -> None:  # fmt: skip
-    """File a ball anew that an event has moved out of where it may be."""
-    age = age_now(state, flights[i])
-    if time_filed(state, balls[i], flights[i], age) < 0.0:
+    """File a ball anew that an event has moved out of where it may be, and foresee when it may leave that."""
+    flight = flights[i]
+    age = age_now(state, flight)
+    wait = time_filed(state, balls[i], flight, age)
+    if wait < 0.0:
         unfile_ball(state, flights, heads, i)
         file_ball(state, balls, flights, heads, i, age)
+        wait = time_filed(state, balls[i], flight, age)
+    note_filing(flight, age, wait)
 
 
 def file_anew(
@@ -173,22 +180,31 @@ def predict_own(
             consider_at(flight, float(flight["tick_time"]), float(flight["tick_low"]), TICK, NO_BALL)
         else:
             predict_rest(state, ball, flight)
-    foresee_filing(state, ball, flight, age)
     if ball["relation"] != NO_RELATION:
         predict_relations(state, balls, flights, shapes, relations, i, age)
 
 
 def foresee_filing(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:
     """Foresee when a ball may leave where it is filed, as seen from an age of its flight."""
-    flight["file_time"] = inf
-    flight["file_low"] = 0.0
-    if state["binned"] == 0 or flight["kind"] != FLYING:
-        return
-    wait = time_filed(state, ball, flight, age)
-    if wait < inf:
+    if state["binned"] == 0:
+        never_filed_anew(flight)
+    else:
+        note_filing(flight, age, time_filed(state, ball, flight, age))
+
+
+def note_filing(flight: FlightRow, age: float, wait: float) -> None:
+    """Note when a ball is to be filed anew: so many seconds after an age of its flight it may leave where it is."""
+    never_filed_anew(flight)
+    if flight["kind"] == FLYING and wait < inf:
         time, low = later(float(flight["time"]), float(flight["low"]), age + max(wait, 0.0))
         flight["file_time"] = time
         flight["file_low"] = low
+
+
+def never_filed_anew(flight: FlightRow) -> None:
+    """Note that a ball stays where it is filed, or that it is filed nowhere."""
+    flight["file_time"] = inf
+    flight["file_low"] = 0.0
 
 
 def predict_relations(
