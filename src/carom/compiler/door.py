@@ -33,7 +33,7 @@ VARIABLE = "CAROM_COMPILE"
 BACKGROUND, WAIT, OFF = WAYS = ("background", "wait", "off")
 
 #: Kernels that stand for what Python cannot say, and what makes code of each, in `carom.compiler.entered`.
-STAND_INS = {"call_at": "called", "prefetch": "prefetched", "prefetch_row": "row_prefetched"}
+STAND_INS = {"call_at": "called", "prefetch": "prefetched", "prefetch_lines": "lines_prefetched"}
 
 _loaded: dict[Kernel, Kernel] = {}
 _registered: list[Kernel] = []

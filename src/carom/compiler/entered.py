@@ -77,52 +77,42 @@ def called(function: Any, block: Any) -> Any:  # noqa: ARG001  # Numba compares 
     return call
 
 
-def _fetcher(whole: bool) -> Any:
-    """How code is generated that tells the processor to have an item at hand: the line in which it begins, or all."""
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        array = make_array(signature.args[0])(context, builder, arguments[0])  # type: ignore[no-untyped-call]
-        flag, byte = ir.IntType(32), ir.IntType(8).as_pointer()
-        kind = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
-        fetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], kind)
-        place = builder.bitcast(builder.gep(array.data, [arguments[1]]), byte)
-        size = context.get_abi_sizeof(context.get_data_type(signature.args[0].dtype)) if whole else 1
-        for line in range(0, size, LINE):
-            # To be read, kept in all caches, of data.
-            builder.call(fetch, [builder.gep(place, [flag(line)]), flag(0), flag(3), flag(1)])
-        return context.get_dummy_value()
-
-    return generate
+def _fetch(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+    """Generate code that tells the processor to have a line of an item at hand."""
+    array = make_array(signature.args[0])(context, builder, arguments[0])  # type: ignore[no-untyped-call]
+    flag, byte = ir.IntType(32), ir.IntType(8).as_pointer()
+    kind = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
+    fetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], kind)
+    item = builder.bitcast(builder.gep(array.data, [arguments[1]]), byte)
+    place = builder.gep(item, [builder.mul(arguments[2], arguments[2].type(LINE))])
+    # To be read, kept in all caches, of data.
+    builder.call(fetch, [place, flag(0), flag(3), flag(1)])
+    return context.get_dummy_value()
 
 
 @intrinsic
-def _prefetched(_typing: Any, table: Any, place: Any) -> Any:
-    """The processor is told to have the cache line of an item at hand; it does not wait for it."""
-    return types.none(table, place), _fetcher(False)
-
-
-@intrinsic
-def _row_prefetched(_typing: Any, table: Any, place: Any) -> Any:
-    """The same of all lines of an item that begins where a line does."""
-    return types.none(table, place), _fetcher(True)
+def _line_prefetched(_typing: Any, table: Any, place: Any, line: Any) -> Any:
+    """The processor is told to have a cache line of an item at hand, one of those after the line in which it begins."""
+    return types.none(table, place, line), _fetch
 
 
 def prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
     """How Numba is to understand `prefetch`, which does nothing where it is interpreted."""
 
     def prefetch(table: Any, place: Any) -> Any:
-        _prefetched(table, place)  # type: ignore[call-arg]
+        _line_prefetched(table, place, 0)  # type: ignore[call-arg]
 
     return prefetch
 
 
-def row_prefetched(table: Any, place: Any) -> Any:  # noqa: ARG001  # as above
-    """How Numba is to understand `prefetch_row`."""
+def lines_prefetched(table: Any, place: Any, count: Any) -> Any:  # noqa: ARG001  # as above
+    """How Numba is to understand `prefetch_lines`."""
 
-    def prefetch_row(table: Any, place: Any) -> Any:
-        _row_prefetched(table, place)  # type: ignore[call-arg]
+    def prefetch_lines(table: Any, place: Any, count: Any) -> Any:
+        for line in range(count):
+            _line_prefetched(table, place, line)  # type: ignore[call-arg]
 
-    return prefetch_row
+    return prefetch_lines
 
 
 class Words:

@@ -25,6 +25,7 @@ ASLEEP = 1
 
 NO_PLACE = -1  # of a ball that is not in the queue of events
 NO_BALL = -1
+IN_PART = -1  # in place of impacts
 NO_TICK = 1e300  # later than any instant of a world
 
 
@@ -91,7 +92,7 @@ class FlightRow(CourseRow):
     reach: f8  # its radius where it falls freely, as all do that nothing else pulls; otherwise 0
     body: i4  # one more than its place in the island that is being solved; 0 if it is in none
     # what a step that fails goes back to
-    impacts: i4  # in this step
+    impacts: i4  # in this step; of the copy IN_PART, or something else where all is copied
     kept: i8  # the step in which it was copied last
     still_time: f8
     relation: i4
@@ -121,17 +122,19 @@ class QueueRow(TypedDict):
 
 COURSE = dtype_of(CourseRow)
 
-#: By lines of memory, each of 64 bytes: what is asked of a ball near another, what is shown and was seen, the rest of
-#: a flight, what comes next, when, and what an impact looks at.
+#: By lines of memory, each of 64 bytes: what is asked of a ball near another, the rest of a flight, and what an impact
+#: looks at, which are what is copied; what comes next, and when; what is shown and was seen, which no event asks for.
 FLIGHT = dtype_in_order(
     FlightRow,
     """
     time low x y vx vy reach next level
-    shown_x shown_y shown_vx shown_vy seen_x seen_y seen_vx seen_vy
-    id low_vx low_vy ax ay seen_still kind impacts seen_relation seen_asleep
-    event_time event_low event_key file_time file_low event partner partner_version version row body
-    due_time due_low due_key tick_time tick_low slow_for kept column line
+    low_vx low_vy ax ay slow_for tick_time tick_low kind impacts
     met_time met_low at_once energy surplus still_time short quiet relation asleep
+    event_time event_low event_key file_time file_low event partner partner_version version row body
+    due_time due_low due_key kept column line id seen_still seen_relation seen_asleep
+    shown_x shown_y shown_vx shown_vy seen_x seen_y seen_vx seen_vy
     """,
 )
+#: Lines of a flight of which a copy is kept, and which an event asks for.
+COPIED_LINES, EVENT_LINES = 3, 5
 QUEUE = dtype_of(QueueRow)

@@ -14,5 +14,5 @@ def prefetch(table: Table[Any], place: int) -> None:
     """
 
 
-def prefetch_row(table: Table[Any], place: int) -> None:
-    """The same of all of a row."""
+def prefetch_lines(table: Table[Any], place: int, count: int) -> None:
+    """The same of so many lines of a row, from its beginning."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, NO_TICK, FlightRow
+from carom.rows.flight import FLYING, IN_PART, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
@@ -87,7 +87,37 @@ def keep_course(state: StateRow, ball: BallRow, flights: Table[FlightRow], i: in
     flight["still_time"] = ball["still_time"]
     flight["relation"] = ball["relation"]
     flight["asleep"] = ball["asleep"]
-    flights[len(flights) // 2 + i] = flight
+    copy = flights[len(flights) // 2 + i]
+    copy_course(flight, copy)
+    copy["impacts"] = IN_PART
+
+
+def copy_course(flight: FlightRow, copy: FlightRow) -> None:
+    """Copy what an event may change of a flight, but for what is foreseen; what was shown of it stays what it is."""
+    copy["time"] = flight["time"]
+    copy["low"] = flight["low"]
+    copy["x"] = flight["x"]
+    copy["y"] = flight["y"]
+    copy["vx"] = flight["vx"]
+    copy["vy"] = flight["vy"]
+    copy["low_vx"] = flight["low_vx"]
+    copy["low_vy"] = flight["low_vy"]
+    copy["ax"] = flight["ax"]
+    copy["ay"] = flight["ay"]
+    copy["slow_for"] = flight["slow_for"]
+    copy["tick_time"] = flight["tick_time"]
+    copy["tick_low"] = flight["tick_low"]
+    copy["kind"] = flight["kind"]
+    copy["met_time"] = flight["met_time"]
+    copy["met_low"] = flight["met_low"]
+    copy["at_once"] = flight["at_once"]
+    copy["energy"] = flight["energy"]
+    copy["surplus"] = flight["surplus"]
+    copy["short"] = flight["short"]
+    copy["quiet"] = flight["quiet"]
+    copy["still_time"] = flight["still_time"]
+    copy["relation"] = flight["relation"]
+    copy["asleep"] = flight["asleep"]
 
 
 def fly_on(ball: BallRow, flight: FlightRow, age: float) -> None:

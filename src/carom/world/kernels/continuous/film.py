@@ -10,11 +10,11 @@ from __future__ import annotations
 from carom.constants import EVENTS_BETWEEN_PAUSES, PARTING_ROUNDS
 from carom.geometry.instants import is_before
 from carom.rows.ball import BallRow
-from carom.rows.flight import HIT_BALL, FlightRow, QueueRow
+from carom.rows.flight import COPIED_LINES, EVENT_LINES, HIT_BALL, FlightRow, QueueRow
 from carom.rows.hit import BOUNCE, HitRow
 from carom.rows.index import CellRow, IndexRow, SlotRow
 from carom.rows.island import BodyRow, IslandContactRow
-from carom.rows.prefetch import prefetch_row
+from carom.rows.prefetch import prefetch, prefetch_lines
 from carom.rows.relation import RelationRow
 from carom.rows.saved import PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
@@ -51,6 +51,9 @@ from carom.world.kernels.step.stages import enter_stage
 
 #: Places at the front of the queue: the first one, the two of whom one comes next, and the four after them.
 FRONT = 7
+
+#: Lines of memory in which a ball's row lies, at most.
+BALL_LINES = 2
 
 
 def step_continuous(
@@ -227,15 +230,15 @@ def prefetch_next(
     for k in range(1, min(FRONT, int(state["queued"]))):
         ball = row_of(queue[k]["ball"])
         if k > 2:
-            prefetch_row(flights, ball)
-            prefetch_row(balls, ball)
+            prefetch_lines(flights, ball, EVENT_LINES)
+            prefetch_lines(balls, ball, BALL_LINES)
         elif flights[ball]["event"] == HIT_BALL:
             partner = row_of(flights[ball]["partner"])
-            prefetch_row(flights, partner)
-            prefetch_row(balls, partner)
-            prefetch_row(flights, half + ball)
-            prefetch_row(flights, half + partner)
-            prefetch_row(queue, partner)
+            prefetch_lines(flights, partner, EVENT_LINES)
+            prefetch_lines(balls, partner, BALL_LINES)
+            prefetch_lines(flights, half + ball, COPIED_LINES)
+            prefetch_lines(flights, half + partner, COPIED_LINES)
+            prefetch(queue, partner)
 
 
 def go_to_change(

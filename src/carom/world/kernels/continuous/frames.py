@@ -5,7 +5,7 @@ from __future__ import annotations
 from carom.constants import NEVER
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FLYING, NO_TICK, FlightRow
+from carom.rows.flight import ASLEEP, FLYING, IN_PART, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
@@ -35,7 +35,7 @@ from carom.rows.state import (
 )
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
-from carom.world.kernels.continuous.arrival import energy_of, note_all_passing
+from carom.world.kernels.continuous.arrival import copy_course, energy_of, note_all_passing
 from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
@@ -384,8 +384,16 @@ def undo(
 
 def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:
     """Put a ball back onto the flight that it was on when the step began."""
-    flights[i] = flights[len(flights) // 2 + i]
-    flight = flights[i]
+    flight, copy = flights[i], flights[len(flights) // 2 + i]
+    if copy["impacts"] == IN_PART:
+        copy_course(copy, flight)
+        # It was on this flight when the call began, so what was seen had been shown; showing it again may have failed.
+        flight["shown_x"] = flight["seen_x"]
+        flight["shown_y"] = flight["seen_y"]
+        flight["shown_vx"] = flight["seen_vx"]
+        flight["shown_vy"] = flight["seen_vy"]
+    else:
+        flights[i] = copy
     take_back_ball(ball, flight)
     ball["still_time"] = flight["still_time"]
     ball["relation"] = flight["relation"]

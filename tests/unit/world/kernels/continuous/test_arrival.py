@@ -2,12 +2,14 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Segment
-from carom.rows.flight import ASLEEP
+from carom.rows.flight import ASLEEP, COPIED_LINES, COURSE, EVENT_LINES, FLIGHT
 from carom.rows.relation import LASTING, PASSING
-from carom.world.kernels.continuous.arrival import arrive, fly_on, keep_course, note_passing
+from carom.rows.tables import LINE
+from carom.world.kernels.continuous.arrival import arrive, copy_course, fly_on, keep_course, note_passing
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, look_at, near_tables
@@ -30,6 +32,23 @@ def test_a_new_flight_begins_where_the_ball_is() -> None:
     assert (flight["time"], flight["low"], flight["version"]) == (0.5, 0.0, version + 1)
     come(arrays, 0.5)
     assert (row["x"], flight["version"]) == (2.5, version + 2)
+
+
+def test_all_of_a_course_is_copied_but_what_an_event_leaves_and_its_lines_are_those_that_are_asked_for() -> None:
+    left = {"id", *(name for name in FLIGHT.names or () if name.startswith("shown"))}
+    wanted = {*(COURSE.names or ())} - left | {"still_time", "relation", "asleep"}
+    flights = np.zeros(2, FLIGHT)
+    for k, name in enumerate(FLIGHT.names or ()):
+        flights[0][name] = k + 1
+    copy_course(flights[0], flights[1])
+    copied = {name for name in FLIGHT.names or () if flights[1][name] != 0}
+    assert copied == wanted
+    assert all(flights[1][name] == flights[0][name] for name in wanted)
+    places = {name: int(FLIGHT.fields[name][1]) // LINE for name in FLIGHT.names or ()}
+    assert max(places[name] for name in wanted | {"impacts"}) == COPIED_LINES - 1
+    assert {name for name in places if places[name] >= EVENT_LINES} == {
+        f"{when}_{what}" for when in ("shown", "seen") for what in ("x", "y", "vx", "vy")
+    }
 
 
 def test_a_sleeper_arrives_where_it_lies() -> None:
