@@ -82,7 +82,7 @@ def push_anew(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts:
 def search_loaded(
     bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int], tolerance: float
 ) -> None:
-    """Lower D by conjugate gradients on the loaded contacts, begun anew whenever one of them loses its load.
+    """Lower D by conjugate gradients on the loaded contacts, begun anew whenever some of them lose their load.
 
     Ends when no loaded contact has a speed above `tolerance`, or above a share of the worst approach of the others.
     """
@@ -97,20 +97,18 @@ def search_loaded(
         if not 0.0 < size < inf:
             return
         bend, scale, limit = turn(bodies, contacts, counts, share)
-        step, share = limit, 0.0
         # A direction that moves nothing: contacts that cannot all press go out of load along it. Where none does,
         # nothing can meet their conditions.
-        if bend > LEAST_CURVATURE * scale:
-            step = smaller(size / bend, limit)
-        elif limit == inf:
+        step = size / bend if bend > LEAST_CURVATURE * scale else inf
+        if step == inf and limit == inf:
             return
-        go_along(bodies, contacts, counts, step)
-        former = size
-        if step == limit:
+        if step < limit or step == inf or not go_beyond(bodies, contacts, counts, step):
+            go_along(bodies, contacts, counts, smaller(step, limit))
+        if step >= limit:
             mark_loaded(contacts, count)
+        former = size
         size = descend(bodies, contacts, counts, tolerance)
-        if step < limit:
-            share = size / former
+        share = size / former if step < limit else 0.0
 
 
 def mark_loaded(contacts: Table[IslandContactRow], count: int) -> int:
@@ -233,3 +231,35 @@ def go_along(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: 
             if contact["holds"] == 0 and (impulse < 0.0 or -float(contact["impulse"]) / along == step):
                 impulse = 0.0
             contact["impulse"] = impulse
+
+
+def go_beyond(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts: tuple[int, int], step: float) -> bool:
+    """True if D has been lowered by a step beyond its limit, in which all contacts that would pull lose their load.
+
+    Otherwise impulses are what they were. Source: J. J. Moré and G. Toraldo, as above: the projected search.
+    """
+    _, count = counts
+    for q in range(count):
+        contact = contacts[q]
+        if contact["loaded"] != 0:
+            former = float(contact["impulse"])
+            impulse = former + step * float(contact["search"])
+            if impulse < 0.0 and contact["holds"] == 0:
+                impulse = 0.0
+            contact["descent"] = former  # not needed any more
+            contact["impulse"] = impulse
+            push(bodies, contact, impulse - former)
+    # D is quadratic, so it changes by the mean of the slopes before and after.
+    twice = 0.0
+    for q in range(count):
+        contact = contacts[q]
+        if contact["loaded"] != 0:
+            change = float(contact["impulse"]) - float(contact["descent"])
+            twice += change * (contact_speed(bodies, contact) - float(contact["residual"]))
+    if -inf < twice < 0.0:
+        return True
+    for q in range(count):
+        if contacts[q]["loaded"] != 0:
+            contacts[q]["impulse"] = contacts[q]["descent"]
+    push_anew(bodies, contacts, counts)
+    return False

@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from carom.constants import SOLVER_ROUNDING, SOLVER_ROUNDS
 from carom.rows.island import NO_BODY
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.solver import solve_contacts
+from carom.world.kernels.continuous.relaxation import sweep
+from carom.world.kernels.continuous.solver import descend, go_beyond, mark_loaded, set_free, solve_contacts, turn
 from tests.fresh import printed
 from tests.islands import (
     body_rows,
@@ -231,3 +232,62 @@ def test_the_same_bits_compiled_and_interpreted() -> None:
     compiled = printed(PROGRAM)
     assert compiled == printed(PROGRAM, NUMBA_DISABLE_JIT="1")
     assert len(compiled.split()) == 5
+
+
+def dual(bodies: Rows, contacts: Rows) -> float:
+    """What a solve minimises."""
+    impulse = contacts["impulse"]
+    change = jacobian(bodies, contacts).T @ impulse * np.repeat(bodies["inverse_mass"], 2)
+    begun = np.stack([bodies["vx"], bodies["vy"]], axis=1).ravel()
+    return float(impulse @ (jacobian(bodies, contacts) @ (begun + change / 2) + contacts["bias"]))
+
+
+@given(recipes, st.floats(0, 3), st.booleans())
+def test_a_step_beyond_its_limit_lowers_what_is_minimised_or_changes_nothing(
+    recipe: tuple[int, int, int], decades: float, holds: bool
+) -> None:
+    bodies, contacts = island(recipe, decades=2.0)
+    contacts["holds"][0] = holds
+    free(bodies, contacts)
+    counts = counts_of(bodies, contacts)
+    set_free(bodies, contacts, counts)
+    sweep(bodies, contacts, len(contacts))
+    mark_loaded(contacts, len(contacts))
+    slope = descend(bodies, contacts, counts, 0.0)
+    bend, _, limit = turn(bodies, contacts, counts, 0.0)
+    assume(min(slope, bend) > 1e-9)
+    step = 10**decades * (limit if limit < np.inf else 1.0)
+    before, impulse = dual(bodies, contacts), contacts["impulse"].copy()
+    lowered = go_beyond(bodies, contacts, counts, step)
+    assert contacts["impulse"][contacts["holds"] == 0].min(initial=0.0) >= 0.0
+    if lowered:
+        assert dual(bodies, contacts) <= before + 1e-12 * (1 + abs(before))
+        expected = impulse + step * contacts["search"]
+        expected[(expected < 0) & (contacts["holds"] == 0)] = 0.0
+        assert (contacts["impulse"] == expected).all()
+    else:
+        # Up to twice the best step it is lowered wherever nothing loses its load.
+        assert not step < min(limit, 2 * slope / bend) * (1 - 1e-9)
+        assert (contacts["impulse"] == impulse).all()
+    change = jacobian(bodies, contacts).T @ contacts["impulse"] * np.repeat(bodies["inverse_mass"], 2)
+    solved = np.stack([bodies["wx"] - bodies["vx"], bodies["wy"] - bodies["vy"]], axis=1).ravel()
+    assert np.abs(solved - change).max() <= 1e-11 * (1 + np.abs(change).max())
+
+
+def test_many_contacts_lose_their_load_in_one_step() -> None:
+    # A row of balls that lie on a floor and are thrown up, all but the last, one faster than the other.
+    count = 40
+    bodies = body_rows([(2.0 * i, 0.5) for i in range(count)])
+    contacts = contact_rows([(i, NO_BODY, 0.0, 1.0) for i in range(count)])
+    bodies["vy"] = np.arange(count, 0, -1) - 1.5
+    free(bodies, contacts)
+    contacts["impulse"] = 1.0
+    bodies["wy"] += 1.0
+    counts = counts_of(bodies, contacts)
+    set_free(bodies, contacts, counts)
+    mark_loaded(contacts, count)
+    slope = descend(bodies, contacts, counts, 0.0)
+    bend, _, limit = turn(bodies, contacts, counts, 0.0)
+    assert limit < slope / bend
+    assert go_beyond(bodies, contacts, counts, slope / bend)
+    assert np.flatnonzero(contacts["impulse"]).tolist() == [count - 1]
