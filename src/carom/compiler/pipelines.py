@@ -39,19 +39,7 @@ IDLE = {
 }
 
 
-class PartLibrary(JITCodeLibrary):
-    """Some code of a kernel."""
-
-    def _optimize_functions(self, ll_module: Any) -> None:
-        """Simplify each function that the module has; nothing is made ready for those that it names alone."""
-        ll_module.data_layout = self._codegen._data_layout
-        for function in ll_module.functions:
-            if not function.is_declaration:
-                passes, builder = self._codegen._function_pass_manager()
-                passes.run(function, builder)
-
-
-class KernelLibrary(PartLibrary):
+class KernelLibrary(JITCodeLibrary):
     """The code of a kernel, with that of its callees."""
 
     def _optimize_final_module(self) -> None:
@@ -62,7 +50,7 @@ class KernelLibrary(PartLibrary):
         super()._optimize_final_module()
 
 
-class CalleeLibrary(PartLibrary):
+class CalleeLibrary(JITCodeLibrary):
     """The code of a function that no Python code calls, without that of its callees."""
 
     def finalize(self) -> None:
