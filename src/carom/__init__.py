@@ -40,7 +40,6 @@ from carom.shapes.compound import Compound
 from carom.shapes.detection import Contact
 from carom.shapes.gate import Gate
 from carom.shapes.group import Group
-from carom.shapes.guard import guard_points
 from carom.shapes.helpers import angle_to_vector, normalize, normalize_angle, parallel_component, perp, rotate_point
 from carom.shapes.line import Line
 from carom.shapes.point import Point
@@ -53,6 +52,7 @@ if TYPE_CHECKING:
     from carom.record import Recorder, Recording
     from carom.scene import Scene, scenes
     from carom.shapes import outlines
+    from carom.shapes.guard import guard_points
     from carom.world import Aim, CastHit, HitKind, Hits, Neighbor, World
     from carom.world.ahead import compile
     from carom.worlds import Worlds
@@ -128,6 +128,7 @@ _LAZY = {
     "Recording": "carom.record",
     "Scene": "carom.scene",
     "scenes": "carom.scene",
+    "guard_points": "carom.shapes.guard",
 }
 
 #: Modules that are imported when used, each by its full name, so that `import carom` is enough.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping
-from difflib import get_close_matches
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -70,6 +69,8 @@ def hint(name: str, known: Iterable[str]) -> str:
         return f"did you mean {_MEANT[lower]}?"
     if lower in _ELSEWHERE and lower not in names:
         return _ELSEWHERE[lower]
+    from difflib import get_close_matches  # here, for few programs misspell a name
+
     near = get_close_matches(lower, names, n=1)
     return f"did you mean {names[near[0]]}?" if near else ""
 

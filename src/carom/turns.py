@@ -7,9 +7,9 @@ back.
 
 from __future__ import annotations
 
+from _thread import get_ident  # it is that of `threading`, whose import takes a while
 from collections.abc import Callable
 from functools import wraps
-from threading import get_ident
 from typing import Any, ParamSpec, TypeVar, cast
 
 from carom.errors import WorldBusy

@@ -16,6 +16,13 @@ def test_importing_carom_loads_no_slow_module() -> None:
     assert done.stdout.strip() == "[]"
 
 
+def test_importing_carom_loads_nothing_that_only_few_programs_need() -> None:
+    program = "import sys, numpy; had = set(sys.modules); import carom; print(*set(sys.modules) - had)"
+    loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split()
+    assert "carom.shapes.segment" in loaded
+    assert not {"bisect", "carom.shapes.covering", "carom.shapes.guard", "difflib", "threading"} & set(loaded)
+
+
 def test_every_public_name_exists() -> None:
     assert sorted(carom.__all__) == list(carom.__all__)
     for name in carom.__all__:

@@ -1,7 +1,5 @@
 """The numbers of each kind of shape, as one argument; a point is its place alone."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 

@@ -1,7 +1,5 @@
 """How things move as long as nothing meets them: the path of a ball's centre, and a shape that travels and turns."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from carom.constants import LEAST_SQUARE

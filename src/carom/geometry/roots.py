@@ -6,8 +6,6 @@ tells whether there is a root, and safeguarded Newton finds it. Coefficients com
 Source: Press et al., Numerical Recipes, 3rd ed., 5.6 (quadratics) and 9.4 (rtsafe).
 """
 
-from __future__ import annotations
-
 from math import copysign, fabs, inf, sqrt
 from typing import NamedTuple
 

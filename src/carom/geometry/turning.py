@@ -21,8 +21,6 @@ has to rise first is followed likewise, with the opposite signs. Source: Mirtich
 (1996), 2.3, for the first order.
 """
 
-from __future__ import annotations
-
 from math import cos, fabs, inf, sin, sqrt
 from typing import NamedTuple
 

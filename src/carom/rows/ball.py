@@ -1,7 +1,5 @@
 """The row of a ball."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_of, f8, i4, i8, u1, u4

@@ -1,7 +1,5 @@
 """The rows that say where a copy of a world is in the memory of many copies, and how far a call has come with them."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_of, f8, i8

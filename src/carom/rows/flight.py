@@ -1,7 +1,5 @@
 """The row of a ball's flight: the path that it is on since its last event, and what comes next (continuous)."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_in_order, dtype_of, f8, i4, i8

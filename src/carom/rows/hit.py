@@ -1,7 +1,5 @@
 """The row of a hit."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The rows of the broad phase: an index of shapes, its cells, and balls sorted by cell."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import Pairs, Table, dtype_of, f8, i4, i8, u4

@@ -1,7 +1,5 @@
 """The rows of an island: the balls that lie on each other while their contacts are solved, and these contacts."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_of, f8, i4

@@ -1,7 +1,5 @@
 """The rows of queries: what is asked, the grid that serves it, and what is answered."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import Table, dtype_of, f8, f8x2, i4, i8, u4

@@ -1,7 +1,5 @@
 """The rows of relations: states of a ball and another row that outlive a substep."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_of, f8, i4

@@ -1,7 +1,5 @@
 """The row of a shape that is no ball, and what the numbers of its kind and motion mean."""
 
-from __future__ import annotations
-
 from enum import IntEnum
 from typing import TypedDict
 

@@ -1,7 +1,5 @@
 """The row of a world's state: settings, time, counts, statistics and the place of a step, and what its numbers mean."""
 
-from __future__ import annotations
-
 from typing import TypedDict
 
 from carom.rows.tables import dtype_of, f8, i4, i8

@@ -72,6 +72,8 @@ class Shape(Mover):
     def __init_subclass__(cls) -> None:
         """Spell the options of every shape out in the subclass's signature, for `help` and for tests."""
         super().__init_subclass__()
+        if cls.__init__ is object.__init__:  # what shapes of more than one kind derive from
+            return
         own = list(inspect.signature(cls.__init__).parameters.values())[1:]
         if own and own[-1].kind is inspect.Parameter.VAR_KEYWORD:
             taken = {parameter.name for parameter in own}

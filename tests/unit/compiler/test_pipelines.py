@@ -1,8 +1,10 @@
 """A kernel and its callees become one program that answers as the interpreter does."""
 
 import ctypes
+import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 
@@ -38,7 +40,7 @@ define i64 @caller(i64 %x) {
 def test_a_kernel_and_its_callees_answer_as_the_interpreter_does() -> None:
     numba = pytest.importorskip("numba")
     from carom.compiler.cache import uncached
-    from carom.compiler.pipelines import CalleePipeline, KernelLibrary
+    from carom.compiler.pipelines import CalleeLibrary, CalleePipeline, KernelLibrary
 
     for callee in (deepest, deeper):
         numba.extending.register_jitable(pipeline_class=CalleePipeline)(callee)
@@ -47,6 +49,43 @@ def test_a_kernel_and_its_callees_answer_as_the_interpreter_does() -> None:
     assert [made(x) for x in (-1.5, 0.0, 0.7, 1e150)] == [kernel(x) for x in (-1.5, 0.0, 0.7, 1e150)]
     (compiled,) = made.overloads.values()
     assert isinstance(compiled.library, KernelLibrary)
+    parts = {part for part in compiled.library._linking_libraries if isinstance(part, CalleeLibrary)}
+    assert {part.name for part in parts} == {"deeper", "deepest"}
+    held = [(part.name, function.name) for part in parts for function in part.get_defined_functions()]
+    assert all(f"{len(name)}{name}" in function for name, function in held), "none holds what another one is"
+
+
+def sum_of_ends(table: Any, flag: bool) -> float:
+    """What has a loop, a record's fields, a pair, and an answer that may be missing."""
+    total = 0.0
+    for row in range(len(table)):
+        found = (table[row]["x"], table[row]["y"]) if flag or row > 2 else None
+        if found is not None:
+            x, y = found
+            while x < y and not flag:
+                x += 1.0
+            total += x
+    return total
+
+
+@pytest.mark.compiled
+def test_a_pass_that_is_left_out_would_have_changed_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    numba = pytest.importorskip("numba")
+    from carom.compiler import pipelines
+    from carom.compiler.cache import uncached
+
+    table = numba.typeof(np.zeros(1, [("x", "f8"), ("y", "f8")]))
+    counts, texts = [], []
+    for idle in (pipelines.IDLE, set()):
+        monkeypatch.setattr(pipelines, "IDLE", idle)
+        made: Any = uncached(numba, sum_of_ends)
+        made.compile((table, numba.types.boolean))
+        (compiled,) = made.overloads.values()
+        counts.append(len(compiled.metadata["pipeline_times"]["nopython"]))
+        # Numba numbers what it compiles.
+        texts.append(re.sub(r"B\d+v\d+", "", compiled.library.get_llvm_str()))
+    assert counts[0] <= counts[1] - 12
+    assert texts[0] == texts[1]
 
 
 def library_of(kind: Any, name: str, module: str) -> Any:

@@ -2,7 +2,7 @@
 
 import importlib
 import pkgutil
-from typing import TypedDict
+from typing import ForwardRef, TypedDict
 
 import numpy as np
 
@@ -35,6 +35,14 @@ def dtypes() -> dict[str, np.dtype[np.void]]:
 def test_a_field_has_the_name_and_the_type_that_its_class_says_in_the_same_order() -> None:
     expected = [("a", "f8"), ("b", "i8"), ("c", "i4"), ("d", "u4"), ("e", "u1"), ("f", "f8", (2,))]
     assert dtype_of(EveryRow) == np.dtype(expected)
+
+
+def test_rows_name_their_types_outright_for_texts_would_be_compiled_and_evaluated_on_import() -> None:
+    modules = [importlib.import_module(f"carom.rows.{module.name}") for module in pkgutil.iter_modules(rows.__path__)]
+    found = [value for module in modules for name, value in vars(module).items() if name.endswith("Row")]
+    assert len(found) > 10
+    for row in found:
+        assert not any(isinstance(kind, str | ForwardRef) for kind in row.__annotations__.values()), row
 
 
 def test_no_row_has_padding() -> None:
