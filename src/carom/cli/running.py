@@ -12,6 +12,7 @@ from carom.cli.interrupt import Interrupt
 from carom.cli.tally import Tally
 from carom.draw import Trace
 from carom.rows.hit import HIT
+from carom.world.tables import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -60,7 +61,7 @@ def run(
     """
     trace = Trace(world) if follow else None
     tally = Tally.of(world)
-    kept = [np.zeros(0, HIT)]
+    kept: list[Rows] = []
     done, took, size = 0, 0.0, 1
     with Interrupt() as interrupt:
         while done < steps and not interrupt.asked:
@@ -81,7 +82,7 @@ def run(
             done += count
             tell(done, took)
     recording = recorder.finish() if recorder is not None else None
-    return Outcome(done, steps, took, tally, np.concatenate(kept), trace, recording)
+    return Outcome(done, steps, took, tally, joined(kept, HIT), trace, recording)
 
 
 def next_size(count: int, spent: float) -> int:

@@ -13,6 +13,7 @@ from carom.rows.hit import HIT
 from carom.rows.shape import KINEMATIC
 from carom.scene.scene import Scene
 from carom.spelling import spelled
+from carom.world.tables import joined
 from carom.world.world import World
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ class Recorder:
         if self._steps % self._every != 0:
             self._take()
             self._steps = 0
-        hits = np.concatenate([np.zeros(0, HIT), *self._hits])
+        hits = joined(self._hits, HIT)
         ids = np.unique(np.concatenate([rows["id"] for rows in self._balls]))
         return Recording(
             scene=self._scene,

@@ -10,6 +10,7 @@ import numpy as np
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT
 from carom.rows.tables import Rows
 from carom.world.plural import OfHits
+from carom.world.tables import joined
 from carom.world.touches import Touching
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class Counter:
 
     def _count(self) -> None:
         """Count the hits that wait."""
-        hits = np.concatenate([np.zeros(0, HIT), *self._waiting])
+        hits = joined(self._waiting, HIT)
         self._waiting, self._gathered = [], 0
         if len(hits) == 0:
             return

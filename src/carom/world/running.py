@@ -15,6 +15,7 @@ from carom.rows.tables import Rows
 from carom.typing import Keep
 from carom.world.counts import Counter, Counts
 from carom.world.hits import NO_ROWS, Hits
+from carom.world.tables import joined
 
 if TYPE_CHECKING:
     from carom.world.endings import Ending
@@ -179,4 +180,4 @@ def _joined(parts: list[Rows]) -> Rows:
     """Tables of hits or of balls as one."""
     if not parts:
         return NO_ROWS
-    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+    return parts[0] if len(parts) == 1 else joined(parts, parts[0].dtype)

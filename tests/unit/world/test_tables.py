@@ -5,7 +5,8 @@ import pytest
 
 import carom
 from carom.rows.ball import BALL
-from carom.world.tables import Arrays, WorldTable, grown
+from carom.rows.hit import HIT
+from carom.world.tables import Arrays, WorldTable, grown, joined
 
 
 def table_of(ids: list[int]) -> WorldTable:
@@ -118,3 +119,15 @@ def test_pairs_are_found_by_ids_wherever_the_rows_moved() -> None:
     left[2].position = (4.0, 7.0)
     assert world.balls.position[:4].tolist() == [[1, -1], [2, -2], [4, 7], [5, -5]]
     assert balls[3].position == (3.0, -3.0)
+
+
+def test_tables_joined_are_a_new_one_of_their_rows_in_order() -> None:
+    parts = [np.zeros(count, HIT) for count in (2, 0, 3)]
+    for number, part in enumerate(parts):
+        part["time"], part["ball"], part["point"] = np.arange(len(part)) + 10.0 * number, number, (1.0, number)
+    whole = joined([*parts, parts[2][::-2]], HIT)
+    assert whole.dtype == HIT
+    assert whole.tobytes() == b"".join(part.tobytes() for part in (*parts, parts[2][::-2]))
+    whole["time"] = -1.0
+    assert parts[0]["time"].tolist() == [0.0, 1.0]
+    assert joined([], HIT).shape == (0,)
