@@ -3,7 +3,29 @@
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
+from time import perf_counter
 from types import FrameType
+
+#: Seconds that the loop of `pace` takes on the machine whose seconds are meant.
+LOOP_SECONDS = 0.007
+
+
+def pace() -> float:
+    """How many times slower than such a machine this one is now, on which others may work too; 1 at least."""
+    longest = 0.0
+    for _ in range(10):
+        began, total = perf_counter(), 0
+        for number in range(200_000):
+            total += number
+        longest = max(longest, perf_counter() - began)
+    return max(1.0, longest / LOOP_SECONDS)
+
+
+@contextmanager
+def soon() -> Iterator[None]:
+    """Raise where what ought to take a second takes two; on a slower machine, as much longer as that is slower."""
+    with within(2.0 * pace()):
+        yield
 
 
 @contextmanager

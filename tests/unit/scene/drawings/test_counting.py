@@ -14,7 +14,7 @@ from carom.scene.drawings.counting import check_text, curves_in, own_of
 from carom.scene.drawings.limits import LONGEST_NUMBER, MOST_CURVES, MOST_ELEMENTS
 from carom.scene.drawings.tree import Element
 from carom.scene.faults import Faults
-from tests.clock import within
+from tests.clock import soon
 
 
 @pytest.mark.parametrize(
@@ -100,7 +100,7 @@ def text_of(draw: Any) -> str:
 
 def refusal(text: str) -> str:
     """What is said of a text that is refused at once."""
-    with within(1.0), pytest.raises(carom.SceneError) as caught:
+    with soon(), pytest.raises(carom.SceneError) as caught:
         check_text(text)
     return str(caught.value)
 
@@ -179,7 +179,7 @@ LINE = "0\nLINE\n8\n0\n10\n1\n20\n2\n11\n3\n21\n4\n"
         ),
     ],
 )
-def test_texts_that_are_just_too_large_are_refused_within_a_second(blocks: str, entities: str, said: str) -> None:
+def test_texts_that_are_just_too_large_are_refused_soon(blocks: str, entities: str, said: str) -> None:
     text = f"0\nSECTION\n2\nBLOCKS\n{blocks}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n"
     assert said in refusal(text)
 

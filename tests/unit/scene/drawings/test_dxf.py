@@ -9,7 +9,7 @@ import pytest
 
 import carom
 from carom.scene.drawings import reading
-from tests.clock import within
+from tests.clock import soon
 
 
 def saved(folder: Path, draw: Callable[[Any, Any], None], version: str = "R2010") -> Path:
@@ -106,7 +106,7 @@ def test_hidden_layers_are_no_bodies_and_the_rest_is_listed_once(tmp_path: Path)
 
 def said_of(path: Path) -> str:
     """What is said of a drawing that is refused within a second."""
-    with within(1.0), pytest.raises(carom.SceneError) as caught:
+    with soon(), pytest.raises(carom.SceneError) as caught:
         carom.Scene.load(path)
     return str(caught.value)
 

@@ -5,7 +5,6 @@ import subprocess
 import sys
 import tracemalloc
 from pathlib import Path
-from time import process_time
 
 import pytest
 
@@ -17,7 +16,7 @@ from carom.scene.drawings.bodies import Body, Drawing
 from carom.scene.drawings.pieces import Cubic
 from carom.scene.drawings.svg import SvgReader
 from carom.scene.faults import Faults
-from tests.clock import within
+from tests.clock import soon
 from tests.drawings import drawn, loaded, refusal, svg
 from tests.unit.scene.everything import world_of_everything
 
@@ -127,7 +126,7 @@ def test_a_hundred_thousand_curves_are_let_through_and_refused_at_once_where_the
 ) -> None:
     body = Body("", None, {}, outlines=[[Cubic((0.0, 0.0), (3.0, 1.0), (5.0, -1.0), (8.0, 0.0))]])
     reading._refuse_many([body] * 100_000, 3.0)
-    with within(1.0), pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
+    with soon(), pytest.raises(carom.SceneError, match="a larger tolerance needs fewer"):
         reading._refuse_many([body] * 100_000, 3e-3)
 
 
@@ -137,7 +136,7 @@ def test_where_some_of_many_curves_say_that_they_are_too_many_arcs_the_rest_is_n
     tmp_path: Path, count: int
 ) -> None:
     curves = "".join(f'<path d="M{k % 97} 0C30 {k % 89} {k % 83} 90 90 {k % 79}"/>' for k in range(count))
-    with within(1.0):
+    with soon():
         said = refusal(tmp_path, curves)
     assert "<svg> (line 1): the curves need about" in said
     assert "a larger tolerance needs fewer" in said
@@ -194,13 +193,11 @@ def test_a_drawing_is_not_looked_at_any_more_once_there_are_faults_enough(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("wrong", ['y2="q"', 'y2="2" data-carom-kick="-1"', 'y2="2" data-carom-kik="1"'])
-def test_a_hundred_thousand_faults_are_told_within_a_second_of_the_processor(tmp_path: Path, wrong: str) -> None:
+def test_a_hundred_thousand_faults_are_told_soon_of_the_processor(tmp_path: Path, wrong: str) -> None:
     path = tmp_path / "a.svg"
     path.write_text(svg("".join(f'<line id="a{k}" x1="{k}" {wrong}/>' for k in range(100_000))))
-    began = process_time()
-    with pytest.raises(carom.SceneError, match="1000 faults, and what comes after them was not looked at"):
+    with soon(), pytest.raises(carom.SceneError, match="1000 faults, and what comes after them was not looked at"):
         carom.Scene.load(path)
-    assert process_time() - began < 1.0
 
 
 def test_what_is_made_of_a_drawing_counts_as_old_garbage_and_what_is_frozen_stays_frozen(tmp_path: Path) -> None:
