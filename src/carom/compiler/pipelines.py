@@ -2,9 +2,9 @@
 
 By itself Numba optimises each function together with all that it calls, and makes machine code of that, as if Python
 were to call it: a function that stands ten calls deep is gone through ten times. Only the kernel is called from Python,
-so here its callees are linked into it as they are, as its private parts, and optimised with it. That takes half of the
-time, and what comes out is faster. Most of what is left is Numba's own work on each function, so no pass goes through
-them that finds nothing to do. Imported only where Numba is there. Source: Numba's pages "Customizing the Compiler".
+so here its callees are linked into it as they are, as its private parts, and optimised with it. That takes less time,
+and what comes out is faster. Most of what is left is Numba's own work on each function, so no pass goes through them
+that finds nothing to do. Imported only where Numba is there. Source: Numba's pages "Customizing the Compiler".
 """
 
 # mypy: allow-untyped-calls

@@ -105,7 +105,7 @@ def test_hidden_layers_are_no_bodies_and_the_rest_is_listed_once(tmp_path: Path)
 
 
 def said_of(path: Path) -> str:
-    """What is said of a drawing that is refused within a second."""
+    """What is said of a drawing that is refused soon."""
     with soon(), pytest.raises(carom.SceneError) as caught:
         carom.Scene.load(path)
     return str(caught.value)

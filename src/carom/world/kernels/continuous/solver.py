@@ -246,7 +246,7 @@ def go_beyond(bodies: Table[BodyRow], contacts: Table[IslandContactRow], counts:
             impulse = former + step * float(contact["search"])
             if impulse < 0.0 and contact["holds"] == 0:
                 impulse = 0.0
-            contact["descent"] = former  # not needed any more
+            contact["descent"] = former  # for the way back: the direction itself has been used
             contact["impulse"] = impulse
             push(bodies, contact, impulse - former)
     # D is quadratic, so it changes by the mean of the slopes before and after.
