@@ -352,10 +352,10 @@ SHORT_FLIGHTS = 8
 SHORT_ELASTIC_FLIGHTS = 32
 
 #: A ball that has had so many impacts one after the other, between which it went no more than SHORT_ELASTIC_FLIGHT,
-#: lacks the room to go on.
+#: lacks the room to go on; between shapes that move as one, between which it went no more than SHORT_FLIGHT.
 MOST_AT_ONCE = 1000
 
-#: Fraction of a ball's radius: what such a ball is nearer to, it touches.
+#: Fraction of a ball's radius: what such a ball is nearer to, it touches; a bend that is larger by less, a ball fills.
 SHORT_GAP = 1e-5
 
 #: Fraction of a moving shape's reach from its pivot that a ball, as seen from it, goes in one slice of a search for

@@ -1,7 +1,7 @@
 """Balls squeezed between moving and static shapes: the static one holds, the moving one goes over the ball."""
 
 from collections.abc import Sequence
-from math import cos, hypot, pi, sin
+from math import asin, cos, hypot, pi, sin
 from random import Random
 from typing import Any
 
@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom import Arc, Ball, Circle, Point, Segment
+from carom import Arc, Ball, Circle, Compound, Point, Segment
+from carom.constants import LIFT
 from carom.shapes.shape import Shape
 from tests.clock import within
 from tests.worlds import continuous_world
@@ -210,4 +211,81 @@ def test_far_from_the_origin_too_a_ball_without_room_ends_its_impacts(turn: floa
     world.add(Ball((10007.43348708267, 10007.452898165466), 0.35, velocity=velocity, elasticity=0.9))
     for _ in range(10):
         world.step(1 / 60)  # or there is an `ImpactLimit`
+    assert np.isfinite(world.balls.position).all()
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", range(12))
+def test_no_ball_gets_into_a_cup_with_a_narrower_mouth_that_turns_or_travels(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    size, radius = 0.9, 0.4
+    half = asin((1.0 - 0.1 * random.random()) * radius / size)
+    parts = [Arc((0, 0), size, half, 2 * pi - half)]
+    parts += [Point((size * cos(turn), size * sin(turn))) for turn in (half, -half)]
+    cup = Compound(parts, (-0.6, 0.0))
+    cup.angular_velocity = random.uniform(-100.0, 100.0) if seed % 3 else 0.0
+    cup.velocity = tuple(random.normal(0.0, 10.0, 2)) if seed % 3 != 1 else (0.0, 0.0)
+    world = continuous_world(cup)
+    # Each flies towards where the mouth is at some instant.
+    away, heading, speed = 3.0, random.uniform(0, 2 * pi, 2000), radius * 10 ** random.uniform(0.0, 4.0, 2000)
+    time = (away - size) / speed
+    turn, begins = cup.angular_velocity * time, heading + random.normal(0.0, 0.1, 2000)
+    pivot = np.array((-0.6, 0.0)) + np.outer(time, cup.velocity)
+    mouth = pivot + np.column_stack(((0.6 + size) * np.cos(turn), (0.6 + size) * np.sin(turn)))
+    out = np.column_stack((np.cos(begins), np.sin(begins)))
+    start = mouth + away * out
+    clear = np.hypot(start[:, 0] + 0.6, start[:, 1]) > 0.6 + size + 1.1 * radius
+    world.add_balls(start[clear], -(speed[:, None] * out)[clear], radius=radius, collides_with=1, layer=2)
+    for _ in range(12):
+        world.step(1 / 120)
+        arc = cup.shapes[0]
+        assert np.hypot(*(world.balls.position - arc.center).T).min() > size * cos(half)
+    assert world.statistics.squeezed == 0
+    assert world.statistics.collisions > 100
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(60))
+def test_a_ball_is_carried_along_in_a_cage_that_moves_and_that_it_all_but_fills(seed: int) -> None:
+    random = Random(seed)
+    elasticity, least = random.choice(((0.0, -6), (0.5, -6), (1.0, -3)))
+    room = 1.0 + 10 ** random.uniform(least, -1)
+    moving = Compound(cage(random, room, ("segment",)), (random.uniform(-2, 2), random.uniform(-2, 2)))
+    for wall in moving.shapes:
+        wall.elasticity = elasticity
+    moving.angular_velocity, moving.velocity = random.choice((0.0, random.gauss(0, 10))), (random.gauss(0, 5), 1.0)
+    world = continuous_world(moving, gravity=(0, random.choice((0, -10))))
+    world.add(Ball((0, 0), 1.0, velocity=(random.gauss(0, 3), random.gauss(0, 3))))
+    for _ in range(10):
+        with within(10):
+            world.step(1 / 60)
+        walls = [wall for wall in moving.shapes if isinstance(wall, Segment)]
+        assert min(distance(wall, world.balls.position[0]) for wall in walls) > 1.0 - LIFT
+        assert max(distance(wall, world.balls.position[0]) for wall in walls) < 5.0
+    assert world.statistics.squeezed == 0
+
+
+def distance(wall: Segment, place: Sequence[float]) -> float:
+    """How far a place is from the line of a wall."""
+    (ax, ay), (bx, by), (x, y) = wall.start, wall.end, place
+    return abs((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / hypot(bx - ax, by - ay)
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(60))
+def test_a_cage_that_moves_and_leaves_a_ball_no_room_holds_no_step_up(seed: int) -> None:
+    random = Random(seed)
+    room = 1.0 + random.choice((0.0, 10 ** random.uniform(-13, -7), -(10 ** random.uniform(-13, -1))))
+    moving = Compound(cage(random, room, ("segment",)), (random.uniform(-2, 2), random.uniform(-2, 2)))
+    for wall in moving.shapes:
+        # With some room an elastic one has so many impacts, each of them real, that a step takes long.
+        wall.elasticity = random.choice((0.0, 0.5, 0.9, 1.0 if room < 1.0 else 0.9))
+    moving.angular_velocity, moving.velocity = random.choice((0.0, random.gauss(0, 10))), (random.gauss(0, 5), 1.0)
+    world = continuous_world(moving, gravity=(0, random.choice((0, -10))))
+    world.add(Ball((0, 0), 1.0, velocity=random.choice(((0, 0), moving.velocity, (random.gauss(0, 3), 9.0)))))
+    for _ in range(10):
+        with within(10):
+            world.step(1 / 60)
     assert np.isfinite(world.balls.position).all()

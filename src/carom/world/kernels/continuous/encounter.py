@@ -21,7 +21,7 @@ from carom.rows.ball import BallRow
 from carom.rows.flight import FlightRow
 from carom.rows.hit import ENTER, HitRow
 from carom.rows.index import CellRow, IndexRow
-from carom.rows.kinds import bend_center, lacks_room, lets_pass
+from carom.rows.kinds import lacks_room, lets_pass
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, reach_of, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
@@ -37,7 +37,7 @@ from carom.world.kernels.continuous.lasting import end_thrown, lasting_speed, sl
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.squeezing import is_squeezed
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
+from carom.world.kernels.continuous.surfaces import age_of_motion, center_of_bend, gap_to_shape, into_frame
 from carom.world.kernels.step.hits import cross_ball, record_hit
 from carom.world.kernels.step.narrow import limit_speed, push_apart
 from carom.world.kernels.step.relations import add_relation, drop_all, find_relation, has_kind
@@ -122,7 +122,7 @@ def bounce(
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, time)
     s = dot(vx - ux, vy - uy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
-    count_impact(ball, flight, elasticity, max(-s, 0.0))
+    count_impact(ball, flight, elasticity, max(-s, 0.0), -gap if is_moving(shape) else 0.0)
     tired = is_tired(flight, elasticity, lies(relations, ball))
     elasticity = 0.0 if tired else elasticity
     state["held"] += 1 if tired and s < 0.0 else 0
@@ -265,12 +265,10 @@ def long_normal(ball: BallRow, shape: ShapeRow, age: float, nx: float, ny: float
 
     Without a unit vector's rounding the ball keeps its speed and, in a round room, its angular momentum.
     """
-    center = bend_center(shape)
+    center = center_of_bend(shape, age)
     if center is None:
         return nx, ny
     cx, cy = center
-    if is_moving(shape):
-        cx, cy = out_of_frame(shape, age, cx, cy)
     dx, dy = float(ball["x"]) - cx, float(ball["y"]) - cy
     if dx * nx + dy * ny > 0.0:
         return dx, dy
@@ -315,8 +313,8 @@ def impact_of_balls(
     u1, u2 = dot(vx, vy, nx, ny), dot(wx, wy, nx, ny)
     elasticity = float(first["elasticity"]) * float(second["elasticity"])
     # What rounding alone has found counts too, or it would be found without end.
-    count_impact(first, flights[i], elasticity, larger(u1 - u2, 0.0))
-    count_impact(second, flights[j], elasticity, larger(u1 - u2, 0.0))
+    count_impact(first, flights[i], elasticity, larger(u1 - u2, 0.0), 0.0)
+    count_impact(second, flights[j], elasticity, larger(u1 - u2, 0.0), 0.0)
     in_heap = lies(relations, first) or lies(relations, second)
     tired = is_tired(flights[i], elasticity, in_heap) or is_tired(flights[j], elasticity, in_heap)
     press = pressing(state, first, flights[i], second, flights[j], relations, nx, ny)

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from math import fabs, inf, sqrt
 
-from carom.constants import GAP_ROUNDING, SHORT_ELASTIC_FLIGHT, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
+from carom.constants import (
+    GAP_ROUNDING,
+    MOST_AT_ONCE,
+    SHORT_ELASTIC_FLIGHT,
+    SHORT_ELASTIC_FLIGHTS,
+    SHORT_FLIGHT,
+    SHORT_FLIGHTS,
+)
 from carom.geometry.instants import is_before, later, seconds_since
 from carom.geometry.path import Path, place_on
 from carom.geometry.vector import larger, length
@@ -193,10 +200,16 @@ def is_crowded(flight: FlightRow) -> bool:
     return bool(flight["at_once"] > SHORT_ELASTIC_FLIGHTS)
 
 
-def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float) -> None:
+def is_worn(flight: FlightRow) -> bool:
+    """True for a ball that has had ever more impacts too close on one another, and goes on having them."""
+    return bool(flight["short"] >= MOST_AT_ONCE)
+
+
+def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: float, depth: float) -> None:
     """Count an impact of a ball, and whether it came too soon after the one before.
 
-    Too soon is where a part of the radius is more than the ball can have gone meanwhile, at the speed of approach.
+    Too soon is where a part of the radius is more than the ball can have gone meanwhile, at the speed of approach. One
+    that is deeper than that in what moves did not fly there: what moves with that has put it there.
     """
     flight["impacts"] += 1
     seconds = -age_at(flight, float(flight["met_time"]), float(flight["met_low"]))
@@ -204,7 +217,7 @@ def count_impact(ball: BallRow, flight: FlightRow, elasticity: float, approach: 
     # Far from the origin a place is rounded by more than that part of the radius, and no shorter way is told from none.
     none = larger(SHORT_ELASTIC_FLIGHT * radius, GAP_ROUNDING * (fabs(float(ball["x"])) + fabs(float(ball["y"]))))
     least = larger(SHORT_FLIGHT * radius, none) if elasticity < 1.0 else none
-    flight["short"] = flight["short"] + 1 if seconds * approach < least else 0
+    flight["short"] = flight["short"] + 1 if seconds * approach < least or depth > least else 0
     way = seconds * (approach + length(float(ball["vx"]), float(ball["vy"])))
     flight["at_once"] = flight["at_once"] + 1 if way < none else 0
     flight["met_time"] = flight["time"]

@@ -9,17 +9,17 @@ from carom.geometry.vector import dot, larger, length, smaller
 from carom.rows.ball import BallRow
 from carom.rows.flight import NO_BALL, NO_TICK, FlightRow
 from carom.rows.island import NO_BODY, BodyRow, IslandContactRow
-from carom.rows.kinds import bend_center
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import age_of_mover
+from carom.world.kernels.continuous.filling import fills_bend
 from carom.world.kernels.continuous.flight import age_now, is_crowded, place_after
 from carom.world.kernels.continuous.lasting import leave_points, may_hold
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.surfaces import gap_to_shape, out_of_frame
+from carom.world.kernels.continuous.surfaces import center_of_bend, gap_to_shape
 from carom.world.kernels.step.relations import add_relation, drop_kind, drop_relation, find_relation, has_kind
 
 
@@ -251,11 +251,9 @@ def find_surface(state: StateRow, body: BodyRow, shape: ShapeRow, contact: Islan
     contact["start_nx"] = nx
     contact["start_ny"] = ny
     contact["start_bias"] = -surface_speed(shape, age, x, y, radius, nx, ny)
-    center = bend_center(shape)
-    if center is not None:
+    center = center_of_bend(shape, age)
+    if center is not None and not fills_bend(shape, age, x, y, radius):
         cx, cy = center
-        if is_moving(shape):
-            cx, cy = out_of_frame(shape, age, cx, cy)
         contact["bend"] = dot(cx - x, cy - y, nx, ny)
     return True
 

@@ -21,16 +21,23 @@ from carom.constants import (
 from carom.geometry.vector import cross, dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, FlightRow
-from carom.rows.kinds import bend_center, has_side
+from carom.rows.kinds import has_side
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
-from carom.rows.relation import LASTING, LYING, NO_RELATION, RelationRow
+from carom.rows.relation import LASTING, LYING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
+from carom.world.kernels.continuous.filling import drops_out, fills_bend, settle_in_bend
 from carom.world.kernels.continuous.flight import add_friction, fall_freely, friction_of
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame, out_of_frame
+from carom.world.kernels.continuous.surfaces import (
+    age_of_motion,
+    center_of_bend,
+    gap_to_shape,
+    into_frame,
+    out_of_frame,
+)
 from carom.world.kernels.step.relations import drop_relation, has_kind
 
 
@@ -48,12 +55,10 @@ def holding_acceleration(
     ux = float(shape["velocity_x"]) if moving else 0.0
     uy = float(shape["velocity_y"]) if moving else 0.0
     px, py = float(shape["pivot_x"]) + ux * time, float(shape["pivot_y"]) + uy * time
-    center = bend_center(shape)
+    center = center_of_bend(shape, time)
     if center is None:
         return spin * spin * dot(x - px, y - py, nx, ny) - 2.0 * spin * dot(vx - ux, vy - uy, -ny, nx)
     cx, cy = center
-    if moving:
-        cx, cy = out_of_frame(shape, time, cx, cy)
     dx, dy = x - cx, y - cy
     away_squared = dx * dx + dy * dy
     if away_squared == 0.0:
@@ -83,13 +88,12 @@ def is_drawn_in(
 
     So is one that is let go where gravity is tangent to a bowl.
     """
-    center = bend_center(shape)
+    center = center_of_bend(shape, time)
     if center is None:
         return False
     cx, cy = center
     vx, vy = float(ball["vx"]), float(ball["vy"])
     if is_moving(shape):
-        cx, cy = out_of_frame(shape, time, cx, cy)
         vx -= float(shape["velocity_x"])
         vy -= float(shape["velocity_y"])
     hollow = dot(float(ball["x"]) - cx, float(ball["y"]) - cy, nx, ny) < 0.0
@@ -189,7 +193,9 @@ def hold(
             place = int(relations[place]["next"])
     if first == NO_RELATION:
         return
-    if second == NO_RELATION:
+    if second == NO_RELATION and drops_out(ball, flight, shapes[relations[first]["other"]], gx, gy):
+        relations[first]["kind"] = PASSING
+    elif second == NO_RELATION:
         rest_on_one(state, ball, flight, shapes[relations[first]["other"]])
     else:
         rest_on_two(state, ball, flight, shapes[relations[first]["other"]], shapes[relations[second]["other"]])
@@ -347,7 +353,7 @@ def end_thrown(
 def put_onto(ball: BallRow, time: float, shape: ShapeRow) -> tuple[float, float, float]:
     """The normal of a shape at a ball that it holds, and the acceleration that holds it; the ball then touches it.
 
-    The ball keeps no speed along the normal but the surface's.
+    The ball keeps no speed along the normal but the surface's, nor any other in a bend that it fills.
     """
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     vx, vy = float(ball["vx"]), float(ball["vy"])
@@ -361,6 +367,8 @@ def put_onto(ball: BallRow, time: float, shape: ShapeRow) -> tuple[float, float,
     into = dot(vx - ux, vy - uy, nx, ny)
     vx -= into * nx
     vy -= into * ny
+    if fills_bend(shape, time, x, y, radius):
+        vx, vy = surface_velocity(shape, float(shape["spin"]), x, y, time)
     ball["x"] = x
     ball["y"] = y
     ball["vx"] = vx
@@ -373,6 +381,8 @@ def rest_on_one(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeR
     gx, gy = pull_on(state, ball)
     age = age_of_motion(shape, flight)
     nx, ny, held = put_onto(ball, age, shape)
+    if settle_in_bend(ball, flight, shape, age, gx, gy):
+        return
     push = held - dot(gx, gy, nx, ny)
     flight["ax"] = gx + push * nx
     flight["ay"] = gy + push * ny

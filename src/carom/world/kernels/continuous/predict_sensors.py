@@ -152,14 +152,17 @@ def time_of_change(
 
 
 def answer(ball: BallRow, flight: FlightRow, shape: ShapeRow, question: int, age: float, slack: float) -> bool:
-    """Whether a ball, larger by the part `slack`, is on a shape, or overlaps it, at an age of its flight."""
+    """Whether a ball, larger by the part `slack`, is on a shape, or overlaps it, at an age of its flight.
+
+    It overlaps what it touches: where it is carried along in what it fills, rounding parts the two at every instant.
+    """
     x, y, _vx, _vy = place_after(ball, flight, age)
     radius = float(ball["radius"])
     motion_age = age_of_motion(shape, flight) + age
     if question == OVERLAPS:
         if is_moving(shape):
             x, y = into_frame(shape, motion_age, x, y)
-        return distance_to_shape(shape, x, y) < radius + slack * radius
+        return distance_to_shape(shape, x, y) < radius + SEPARATION_SLACK * radius
     found = gap_to_shape(shape, motion_age, x, y, radius, 0.0, 0.0)
     if found is None:
         return False

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import cos, fabs, inf, sin, sqrt
 
-from carom.constants import END_SLOP, LEAST_SQUARE, ROOT_STEPS, SLIDE_LIFT, SLIDE_ROUNDS, SLIDE_TURN
+from carom.constants import END_SLOP, LEAST_SQUARE, ROOT_STEPS, SHORT_GAP, SLIDE_LIFT, SLIDE_ROUNDS, SLIDE_TURN
 from carom.geometry.roots import falling_time
 from carom.geometry.vector import cross, dot, larger, length, rotated, smaller
 from carom.rows.ball import BallRow
@@ -23,7 +23,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import friction_of, place_after
 from carom.world.kernels.continuous.lasting import holding_acceleration
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_past_ends, into_frame, out_of_frame
+from carom.world.kernels.continuous.surfaces import age_of_motion, center_of_bend, gap_past_ends, into_frame
 
 
 def only_holder(ball: BallRow, relations: Table[RelationRow]) -> int:
@@ -79,12 +79,12 @@ def frame_at(shape: ShapeRow, age: float) -> tuple[float, float, float, float]:
     return float(shape["pivot_x"]) + vx * age, float(shape["pivot_y"]) + vy * age, vx, vy
 
 
-def track_at(shape: ShapeRow, age: float, x: float, y: float) -> tuple[float, float, float]:
+def track_at(shape: ShapeRow, age: float, x: float, y: float, least: float) -> tuple[float, float, float]:
     """The way that a ball at (x, y) slides: the unit tangent (tx, ty), and the bend to its left, 1/radius or 0.
 
-    The tangent is (0, 0) at the centre of a bend, where there is none.
+    The tangent is (0, 0) at the centre of a bend, where there is none. No radius is below the `least`.
     """
-    center = bend_center(shape)
+    center = center_of_bend(shape, age)
     if center is None:
         tx, ty = float(shape["tx"]), float(shape["ty"])
         if is_moving(shape):
@@ -92,13 +92,11 @@ def track_at(shape: ShapeRow, age: float, x: float, y: float) -> tuple[float, fl
             tx, ty = rotated(tx, ty, cos(turn), sin(turn))
         return tx, ty, 0.0
     cx, cy = center
-    if is_moving(shape):
-        cx, cy = out_of_frame(shape, age, cx, cy)
     dx, dy = x - cx, y - cy
     away = length(dx, dy)
     if away == 0.0:
-        return 0.0, 0.0, 0.0
-    return -dy / away, dx / away, 1.0 / away
+        return 0.0, 0.0, 1.0 / least
+    return -dy / away, dx / away, 1.0 / larger(away, least)
 
 
 def along_track(tx: float, ty: float, bend: float, way: float) -> tuple[float, float, float, float]:
@@ -227,7 +225,7 @@ def slid_place(
     x, y, vx, vy = float(ball["x"]), float(ball["y"]), float(ball["vx"]), float(ball["vy"])
     age, spin = age_of_motion(shape, flight), frame_spin(shape)
     px, py, ux, uy = frame_at(shape, age)
-    track = track_at(shape, age, x, y)
+    track = track_at(shape, age, x, y, SHORT_GAP * float(ball["radius"]))
     tx, ty, _bend = track
     if seconds == 0.0 or (tx == 0.0 and ty == 0.0):
         return place_after(ball, flight, seconds)
@@ -282,7 +280,7 @@ def turn_time(state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow
     x, y = float(ball["x"]), float(ball["y"])
     age, spin = age_of_motion(shape, flight), frame_spin(shape)
     px, py, ux, uy = frame_at(shape, age)
-    track = track_at(shape, age, x, y)
+    track = track_at(shape, age, x, y, SHORT_GAP * float(ball["radius"]))
     tx, ty, bend = track
     arm, pull = (x - px, y - py), (float(state["gravity_x"]), float(state["gravity_y"]))
     vx, vy = float(ball["vx"]) - ux, float(ball["vy"]) - uy

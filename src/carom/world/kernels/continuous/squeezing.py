@@ -14,6 +14,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
+from carom.world.kernels.continuous.flight import is_worn
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, into_frame
 
 # Where a ball is stopped as it is pushed: on its left, on its right; what faces it stops it on both.
@@ -38,8 +39,10 @@ def is_squeezed(
     """True if a ball that the kinematic shape in `row` pushes so far along a normal lacks the room, or all but.
 
     What is in its way stands still, or moves too and comes first in order: that has the last word. It is one that faces
-    the ball, or one on either side.
+    the ball, or one on either side. What moves with the shape that pushes closes no room between the two; it counts
+    only where impacts between them do not end.
     """
+    worn = is_worn(flight)
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     # The index gives the shapes that a ball touches, so it is asked where the ball would touch what is near it.
     room = SQUEEZE_GAP * radius + push
@@ -51,9 +54,21 @@ def is_squeezed(
     near, wide = kinematic_near(index, cells, x + ahead * nx, y + ahead * ny)
     while is_any_near(near, wide):
         other, near, wide = next_near(shapes, members, near, wide)
-        if other != row and (other < row or not is_moving(shapes[other])):
+        as_one = moves_with(shapes[other], shapes[row])
+        has_last_word = worn if as_one else other < row or not is_moving(shapes[other])
+        if other != row and has_last_word:
             stopped |= where_stopped(ball, flight, shapes[other], room, nx, ny)
     return stopped == BOTH
+
+
+def moves_with(shape: ShapeRow, other: ShapeRow) -> bool:
+    """True of two shapes that move, and as one, such as the parts of a compound."""
+    if not is_moving(shape) or shape["spin"] != other["spin"]:
+        return False
+    if shape["velocity_x"] != other["velocity_x"] or shape["velocity_y"] != other["velocity_y"]:
+        return False
+    same_pivot = shape["pivot_x"] == other["pivot_x"] and shape["pivot_y"] == other["pivot_y"]
+    return bool(shape["spin"] == 0.0 or same_pivot)
 
 
 def where_stopped(ball: BallRow, flight: FlightRow, shape: ShapeRow, room: float, nx: float, ny: float) -> int:

@@ -9,7 +9,7 @@ from carom.geometry.instants import seconds_since
 from carom.geometry.path import Path, Turning
 from carom.geometry.vector import rotated
 from carom.rows.flight import FlightRow
-from carom.rows.kinds import gap_at_rest
+from carom.rows.kinds import bend_center, gap_at_rest
 from carom.rows.kinds_in_motion import impact_in_frame
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.shape import ShapeRow
@@ -44,6 +44,15 @@ def out_of_frame(shape: ShapeRow, time: float, x: float, y: float) -> tuple[floa
         float(shape["pivot_x"]) + float(shape["velocity_x"]) * time + dx,
         float(shape["pivot_y"]) + float(shape["velocity_y"]) * time + dy,
     )
+
+
+def center_of_bend(shape: ShapeRow, time: float) -> tuple[float, float] | None:
+    """Where what a shape is bent about, of a point itself, is at an age of its motion; None of what is straight."""
+    center = bend_center(shape)
+    if center is None or not is_moving(shape):
+        return center
+    cx, cy = center
+    return out_of_frame(shape, time, cx, cy)
 
 
 def impact_in_motion(

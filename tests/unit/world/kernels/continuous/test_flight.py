@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from carom import Ball
-from carom.constants import SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHTS
+from carom.constants import MOST_AT_ONCE, SHORT_ELASTIC_FLIGHTS, SHORT_FLIGHT, SHORT_FLIGHTS
 from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, CLEAR, EXIT_SHAPE, FLYING, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
 from carom.world.kernels.continuous.flight import (
@@ -20,6 +20,7 @@ from carom.world.kernels.continuous.flight import (
     fall_freely,
     friction_of,
     is_tired,
+    is_worn,
     path_at,
     path_box,
     path_of,
@@ -155,7 +156,7 @@ def test_impacts_too_close_to_be_told_apart_end_as_ones_without_elasticity(elast
     ball, flight = arrays.balls.rows[0], arrays.flights[0]
     for count in range(most + 3):
         flight["time"] = 1.0 + 1e-14 * count
-        count_impact(ball, flight, elasticity, 1.0)
+        count_impact(ball, flight, elasticity, 1.0, 0.0)
         assert flight["impacts"] == count + 1
         assert (flight["short"], flight["at_once"]) == (count, count)
         assert is_tired(flight, elasticity, False) == (count > most)
@@ -163,12 +164,25 @@ def test_impacts_too_close_to_be_told_apart_end_as_ones_without_elasticity(elast
         assert is_tired(flight, elasticity, True) == (count > (0 if elasticity < 1 else most))
     # A flight that is long enough, at its speed, ends the count.
     flight["time"] = 1.1
-    count_impact(ball, flight, elasticity, 1.0)
+    count_impact(ball, flight, elasticity, 1.0, 0.0)
     assert (flight["short"], flight["at_once"]) == (0, 0)
     flight["time"] = 1.2
-    count_impact(ball, flight, elasticity, 1e-13)
+    count_impact(ball, flight, elasticity, 1e-13, 0.0)
     assert (flight["short"], flight["at_once"]) == (1, 1)
     # A ball that goes along what it meets gets on.
     flight["time"], ball["vx"] = 1.3, 1.0
-    count_impact(ball, flight, elasticity, 1e-13)
+    count_impact(ball, flight, elasticity, 1e-13, 0.0)
     assert (flight["short"], flight["at_once"]) == (2, 0)
+
+
+def test_a_ball_found_deep_in_what_moves_did_not_fly_there_and_is_worn_by_a_thousand_such() -> None:
+    arrays = in_flight(continuous_world(Ball((0, 0), 1)))
+    ball, flight = arrays.balls.rows[0], arrays.flights[0]
+    for count in range(MOST_AT_ONCE):
+        flight["time"] = 1.0 + count
+        count_impact(ball, flight, 0.5, 1.0, 2.0 * SHORT_FLIGHT)
+        assert flight["short"] == count + 1
+        assert is_worn(flight) == (count + 1 == MOST_AT_ONCE)
+    flight["time"] += 1.0
+    count_impact(ball, flight, 0.5, 1.0, 0.5 * SHORT_FLIGHT)
+    assert not is_worn(flight)

@@ -12,6 +12,7 @@ from carom.rows.kinds import gap_at_rest
 from carom.rows.pose import surface_velocity
 from carom.world.kernels.continuous.surfaces import (
     age_of_motion,
+    center_of_bend,
     gap_to_shape,
     impact_in_motion,
     into_frame,
@@ -52,6 +53,15 @@ def test_a_place_in_the_frame_of_a_shape_turns_and_travels_with_it() -> None:
 
 def test_the_surface_of_a_shape_at_rest_does_not_move() -> None:
     assert surface_velocity(Point((1, 1))._row, 0.0, 3.0, 4.0, 0.5) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("age", [0.0, 0.4, -1.3])
+def test_the_centre_of_what_is_bent_moves_with_it(age: float) -> None:
+    point, segment, circle, arc = shapes()
+    for shape in (point, circle, arc):
+        assert center_of_bend(shape._row, age) == out_of_frame(shape._row, age, 1.0, 1.0)
+    assert center_of_bend(segment._row, age) is None
+    assert center_of_bend(Circle((3, 4), 1)._row, age) == (3, 4)
 
 
 @SHAPES
