@@ -11,6 +11,7 @@ import pytest
 
 from carom import Arc, Ball, Circle, Segment, World
 from carom.shapes.shape import Shape
+from tests.clock import within
 from tests.worlds import continuous_world, energy
 
 #: Seconds for which a world of one ball may take for a minute; a step that does not end takes for ever.
@@ -181,3 +182,22 @@ def test_friction_lets_no_ball_win_energy_in_a_bowl(seed: int) -> None:
         left = 0.5 * hypot(*ball.velocity) ** 2 - gravity * ball.position[1]
         assert left <= before + 1e-9 * abs(gravity)
         before = left
+
+
+@pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
+@pytest.mark.parametrize("seed", range(40))
+def test_a_ball_that_friction_presses_onto_what_turns_and_travels_holds_no_step_up(seed: int) -> None:
+    random = Random(seed)
+    motion: dict[str, Any] = {"motion": "kinematic", "angular_velocity": random.uniform(0.5, 1.5)}
+    motion |= {"velocity": (0, random.uniform(0.5, 2)), "pivot": (-1.5, random.uniform(-2, 0))}
+    world = continuous_world(
+        Segment((-4, -3), (2, -3), **motion), gravity=(0, -1), friction=random.uniform(0.2, 1)
+    )  # fmt: skip
+    world.add(Ball((-1, -0.5), 0.5, velocity=(random.uniform(1, 3), -1), elasticity=random.choice((0.0, 0.3))))
+    for _ in range(120):
+        with within(5):
+            world.step(1 / 60)
+    assert np.isfinite(world.balls.position).all()
+    # It is not held and let go at every instant.
+    assert world.statistics.full_tests < 20_000

@@ -124,8 +124,13 @@ def pull_on(state: StateRow, ball: BallRow) -> tuple[float, float]:
 
     Friction presses a ball on what pushes it. How much of it acts on one that stands still, what holds that decides.
     """
+    return pull_at(state, ball, float(ball["vx"]), float(ball["vy"]))
+
+
+def pull_at(state: StateRow, ball: BallRow, vx: float, vy: float) -> tuple[float, float]:
+    """The same of a ball when it has a velocity."""
     gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
-    vx, vy, loss = float(ball["vx"]), float(ball["vy"]), friction_of(state, ball)
+    loss = friction_of(state, ball)
     speed = length(vx, vy)
     if loss == 0.0 or speed == 0.0:
         return gx, gy

@@ -22,7 +22,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import friction_of, place_after
-from carom.world.kernels.continuous.lasting import holding_acceleration
+from carom.world.kernels.continuous.lasting import holding_acceleration, pull_at
 from carom.world.kernels.continuous.surfaces import age_of_motion, center_of_bend, gap_past_ends, into_frame
 
 
@@ -367,7 +367,7 @@ def is_held(
     if found is None:
         return False
     _gap, nx, ny = found
-    gx, gy = float(state["gravity_x"]), float(state["gravity_y"])
+    gx, gy = pull_at(state, ball, vx, vy)
     return holding_acceleration(shape, age, x, y, vx, vy, nx, ny) > dot(gx, gy, nx, ny)
 
 
