@@ -11,7 +11,6 @@ import pytest
 
 from carom import Arc, Ball, Circle, Segment, World
 from carom.shapes.shape import Shape
-from tests.clock import within
 from tests.worlds import continuous_world, energy
 
 #: Seconds for which a world of one ball may take for a minute; a step that does not end takes for ever.
@@ -195,9 +194,7 @@ def test_a_ball_that_friction_presses_onto_what_turns_and_travels_holds_no_step_
         Segment((-4, -3), (2, -3), **motion), gravity=(0, -1), friction=random.uniform(0.2, 1)
     )  # fmt: skip
     world.add(Ball((-1, -0.5), 0.5, velocity=(random.uniform(1, 3), -1), elasticity=random.choice((0.0, 0.3))))
-    for _ in range(120):
-        with within(5):
-            world.step(1 / 60)
+    run_within_clock(world, 2.0, 120)
     assert np.isfinite(world.balls.position).all()
     # It is not held and let go at every instant.
     assert world.statistics.full_tests < 20_000
