@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Arc, Ball, Circle, Compound, Point, Segment
-from carom.constants import LIFT
+from carom.constants import LIFT, MOST_AT_ONCE
 from carom.shapes.shape import Shape
 from tests.clock import within
 from tests.worlds import continuous_world
@@ -289,3 +289,6 @@ def test_a_cage_that_moves_and_leaves_a_ball_no_room_holds_no_step_up(seed: int)
         with within(10):
             world.step(1 / 60)
     assert np.isfinite(world.balls.position).all()
+    # Nor does it go to and fro in the cage for as long as that moves: dear steps could end in time all the same.
+    assert world.statistics.held <= MOST_AT_ONCE
+    assert world.statistics.full_tests < 50_000
