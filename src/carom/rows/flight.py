@@ -2,20 +2,21 @@
 
 from typing import TypedDict
 
-from carom.rows.tables import dtype_in_order, dtype_of, f8, i4, i8
+from carom.rows.tables import dtype_in_order, dtype_of, f8, i2, i4, i8
 
-# What comes next in a ball's flight. Of events of one ball at one instant the greatest comes first.
+# What comes next in a ball's flight. Of its own events at one instant the greatest comes first.
 NOTHING = 0
 LOOK = 1  # it looks farther ahead; its path stays what it is
-TICK = 2  # it is put back onto the bent or moving shape along which it slides, or its island is solved
-STOP = 3  # friction has taken its speed
-SLEEP = 4
-CLEAR = 5  # it has come off a shape that it passed
-LEAVE = 6  # it comes to the end of the shape that it rests on
-EXIT_SHAPE = 7  # it leaves a sensor
-EXIT_BALL = 8
-HIT_SHAPE = 9
-HIT_BALL = 10
+STRAY = 2  # it leaves the world's bounds, or comes back; its path stays what it is
+TICK = 3  # it is put back onto the bent or moving shape along which it slides, or its island is solved
+STOP = 4  # friction has taken its speed
+SLEEP = 5
+CLEAR = 6  # it has come off a shape that it passed
+LEAVE = 7  # it comes to the end of the shape that it rests on
+EXIT_SHAPE = 8  # it leaves a sensor
+EXIT_BALL = 9
+HIT_SHAPE = 10
+HIT_BALL = 11
 
 # How a ball takes part.
 FLYING = 0
@@ -87,14 +88,15 @@ class FlightRow(CourseRow):
     line: i4
     level: i4
     next: i4  # in the same cell
-    reach: f8  # its radius where it falls freely, as all do that nothing else pulls; otherwise 0
+    reach: f8  # its radius where it falls freely, as all do that nothing else pulls, and is no sensor; otherwise 0
     body: i4  # one more than its place in the island that is being solved; 0 if it is in none
     # what a step that fails goes back to
     impacts: i4  # in this step; of the copy IN_PART, or something else where all is copied
     kept: i8  # the step in which it was copied last
     still_time: f8
     relation: i4
-    asleep: i4
+    asleep: i2
+    stray: i2
     # what was seen before the first step of a call
     seen_x: f8
     seen_y: f8
@@ -102,7 +104,8 @@ class FlightRow(CourseRow):
     seen_vy: f8
     seen_still: f8
     seen_relation: i4
-    seen_asleep: i4
+    seen_asleep: i2
+    seen_stray: i2
 
 
 class QueueRow(TypedDict):
@@ -127,9 +130,9 @@ FLIGHT = dtype_in_order(
     """
     time low x y vx vy reach next level
     low_vx low_vy ax ay slow_for tick_time tick_low kind impacts
-    met_time met_low at_once energy surplus still_time short quiet relation asleep
+    met_time met_low at_once energy surplus still_time short quiet relation asleep stray
     event_time event_low event_key file_time file_low event partner partner_version version row body
-    due_time due_low due_key kept column line id seen_still seen_relation seen_asleep
+    due_time due_low due_key kept column line id seen_still seen_relation seen_asleep seen_stray
     shown_x shown_y shown_vx shown_vy seen_x seen_y seen_vx seen_vy
     """,
 )

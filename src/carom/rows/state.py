@@ -28,6 +28,7 @@ STALE = 1
 OTHER_REACH = 2  # the shapes are as they were, the largest ball is not
 
 # What was changed from outside, for which the next step wakes all balls.
+NO_CHANGE = 0
 CHANGED = 1  # anything but how kinematic shapes lie and move
 MOTIONS_CHANGED = 2  # that too
 

@@ -41,6 +41,7 @@ class Pairs(Protocol):
 f8 = Annotated[float, "f8"]
 i8 = Annotated[int, "i8"]
 i4 = Annotated[int, "i4"]
+i2 = Annotated[int, "i2"]
 u4 = Annotated[int, "u4"]
 u1 = Annotated[int, "u1"]
 f8x2 = Annotated[Table[float], "f8", (2,)]

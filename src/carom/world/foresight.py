@@ -11,7 +11,7 @@ from carom.compiler import door
 from carom.geometry.vector import length
 from carom.rows.flight import QUEUE
 from carom.rows.query import AIM
-from carom.rows.state import DISCRETE, DONE, NEEDS_PAIRS, NEEDS_ROOM
+from carom.rows.state import DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM
 from carom.rows.tables import Row, Rows
 from carom.world.kernels.continuous.film import step_continuous
 from carom.world.kernels.queries.aiming import write_direction
@@ -85,11 +85,11 @@ def goes_on(film: Arrays, index: int) -> bool:
     """True when the film has gone on up to the next impact of a ball."""
     state = film.states[0]
     clear_kernel_place(state)
-    state["hits"] = state["max_impacts"] = state["bounded"] = 0
+    state["hits"] = state["max_impacts"] = 0
     state["dt"], state["steps_left"], state["watched"] = FAR, 1, index + 1
     kernel = door.enter(step_continuous, step_size)
     status = kernel(film.block())
     while status in (NEEDS_ROOM, NEEDS_PAIRS):
         film.extend(status)
         status = kernel(film.block())
-    return bool(status == DONE and state["steps_left"] == 0 and state["now"] < FAR)
+    return bool(status in (DONE, HAS_STRAYS) and state["steps_left"] == 0 and state["now"] < FAR)

@@ -105,7 +105,10 @@ class Members:
 
     @property
     def strays(self) -> list[Ball]:
-        """The balls that lie wholly outside `bounds`; with `remove_strays`, those that the last step or run removed."""
+        """The balls that lie wholly outside `bounds`; with `remove_strays`, those that the last step or run removed.
+
+        In the continuous mode the latter are where they left, by more than rounding: a billionth of their radius.
+        """
         if self._world.remove_strays:
             found = [self._object_of_hit(int(ball), self._left) for ball in self._left["id"]]
             return [ball for ball in found if isinstance(ball, Ball)]
@@ -281,15 +284,15 @@ class Members:
                 table = self._arrays.table_of(member)
                 gone[table][table.index(member)] = True
         if leavers:
-            self._remove(*gone.values())
+            self._remove(gone[self._arrays.balls], gone[self._arrays.shape_table])
 
     @staticmethod
     def _none_of(count: int) -> NDArray[np.bool_]:
         """A mask that takes nothing."""
         return np.zeros(count, np.bool_)
 
-    def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> None:
-        """Detach the objects of rows and take the rows out."""
+    def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_], what: int = CHANGED) -> None:
+        """Detach the objects of rows and take the rows out, which changes so much for the others."""
         for table, gone in ((self._arrays.balls, balls), (self._arrays.shape_table, shapes)):
             for index in np.flatnonzero(gone).tolist():
                 member_id = table.id_at(index)
@@ -298,7 +301,7 @@ class Members:
                     member._leave()
                     self._departed.add(member_id, member)
         remove_rows(self._arrays, balls, shapes)
-        self._rearrange(CHANGED)
+        self._rearrange(what)
 
     def object(self, member_id: int) -> Shape | Ball:
         """The shape or ball with an id: the object that was added, or always the same one for a row of `add_balls`.

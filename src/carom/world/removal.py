@@ -86,6 +86,8 @@ def _ended(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) 
 def _remove_balls(arrays: Arrays, balls: NDArray[np.bool_]) -> None:
     """Take out the rows of balls."""
     asleep = int(np.count_nonzero(arrays.balls.used["asleep"][balls]))
+    # What was foreseen names balls by their rows.
+    arrays.states[0]["foreseen"] = 0
     arrays.states[0]["sleeping"] -= asleep
     if len(arrays.saved) >= len(balls):
         still = arrays.saved[: len(balls)][~balls]

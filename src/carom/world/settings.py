@@ -215,7 +215,12 @@ class Settings:
         " is no limit.",
     )
     bounds = box("Left, bottom, right and top of a box; a ball wholly outside of it is a stray.")
-    remove_strays = plain("remove_strays", checks.flag, bool, "Whether strays are removed at the end of the step.")
+    remove_strays = plain(
+        "remove_strays",
+        checks.flag,
+        bool,
+        "Whether strays are removed when the step ends; in the continuous mode they meet nothing once they have left.",
+    )
 
 
 SETTINGS: tuple[str, ...] = tuple(name for name, value in vars(Settings).items() if isinstance(value, Setting))

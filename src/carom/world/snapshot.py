@@ -45,8 +45,8 @@ HEAD_SIZE, HEADS_KEPT = 10, 64
 #: So many snapshots that were read last are kept as they were read, each of at most so many bytes.
 KEPT, MOST_KEPT = 8, 2**20
 
-#: The statistics that count how much was searched.
-WORK = ("box_tests", "full_tests")
+#: What tells how much was searched, and for how large balls the index of shapes serves.
+WORK = ("box_tests", "full_tests", "reach")
 
 
 def write_snapshot(world: World) -> bytes:

@@ -16,7 +16,18 @@ from carom.errors import ImpactLimit, InvalidArgument, NonFiniteState
 from carom.pictured import Pictured
 from carom.rows.hit import HIT
 from carom.rows.relation import NO_RELATION
-from carom.rows.state import BEGIN, DISCRETE, DONE, HAS_STRAYS, NEEDS_PAIRS, NEEDS_ROOM, PAUSE, STATE
+from carom.rows.state import (
+    BEGIN,
+    CHANGED,
+    DISCRETE,
+    DONE,
+    HAS_STRAYS,
+    NEEDS_PAIRS,
+    NEEDS_ROOM,
+    NO_CHANGE,
+    PAUSE,
+    STATE,
+)
 from carom.spelling import Spelled, spelled
 from carom.turns import alone, busy, having
 from carom.typing import BroadPhase, Detection, Keep, Pair, Restitution
@@ -285,7 +296,8 @@ class World(Settings, Members, Queries, Pictured, Spelled):
             rows = self._arrays.balls.used
             strays = rows["stray"] != 0
             self._removed.append(rows[strays].copy())
-            self._remove(strays, self._none_of(self._arrays.shape_table.count))
+            none = self._none_of(self._arrays.shape_table.count)
+            self._remove(strays, none, CHANGED if self._words[DETECTION] == DISCRETE else NO_CHANGE)
             self._arrays.prepare()
         else:
             error = refusal(status, self._arrays)

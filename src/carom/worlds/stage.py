@@ -15,7 +15,7 @@ from carom.compiler.block import Block
 from carom.compiler.door import At
 from carom.rows.copies import JOB, LACKS_HITS, LACKS_MEMORY, STEP_DUE, TAKE, JobRow
 from carom.rows.hit import HIT_ROW
-from carom.rows.state import CHANGED, DONE, HAS_STRAYS, PAUSE
+from carom.rows.state import CHANGED, DISCRETE, DONE, HAS_STRAYS, PAUSE
 from carom.rows.tables import Rows
 from carom.shapes.table import word_of
 from carom.world.kernels.copies.carrying import put_copy, take_copy
@@ -201,7 +201,9 @@ class Stage:
         common.memory.balls[copy, slots[gone]] = arrays.balls.used[gone]
         remove_rows(arrays, gone, np.zeros(arrays.shapes.count, np.bool_))
         common.memory.in_play[copy, slots[gone]] = False
-        self.wake()
+        # In flight, what has left has let go of the others when it did.
+        if arrays.states[0]["detection"] == DISCRETE:
+            self.wake()
         arrays.prepare()
 
     def wake(self) -> None:

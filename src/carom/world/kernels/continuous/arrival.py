@@ -87,6 +87,7 @@ def keep_course(state: StateRow, ball: BallRow, flights: Table[FlightRow], i: in
     flight["still_time"] = ball["still_time"]
     flight["relation"] = ball["relation"]
     flight["asleep"] = ball["asleep"]
+    flight["stray"] = ball["stray"]
     copy = flights[len(flights) // 2 + i]
     copy_course(flight, copy)
     copy["impacts"] = IN_PART
@@ -118,6 +119,7 @@ def copy_course(flight: FlightRow, copy: FlightRow) -> None:
     copy["still_time"] = flight["still_time"]
     copy["relation"] = flight["relation"]
     copy["asleep"] = flight["asleep"]
+    copy["stray"] = flight["stray"]
 
 
 def fly_on(ball: BallRow, flight: FlightRow, age: float) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
 from carom.rows.ball import BallRow
 from carom.rows.flight import (
-    ASLEEP,
     CLEAR,
     EXIT_BALL,
     EXIT_SHAPE,
@@ -16,6 +15,7 @@ from carom.rows.flight import (
     NO_BALL,
     SLEEP,
     STOP,
+    STRAY,
     FlightRow,
     QueueRow,
 )
@@ -30,7 +30,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import arrive, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
-from carom.world.kernels.continuous.flight import age_now, begins_now
+from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
 from carom.world.kernels.continuous.jolt import jolt
 from carom.world.kernels.continuous.lasting import hold
@@ -39,6 +39,7 @@ from carom.world.kernels.continuous.predict import file_anew, is_filed_first, pr
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.rounding import keep_rounding, way_of
 from carom.world.kernels.continuous.sensing import cross_edge
+from carom.world.kernels.continuous.straying import cross_bounds
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
 from carom.world.kernels.step.hits import cross_ball
 from carom.world.kernels.step.relations import add_relation, drop_kind, find_relation, has_kind
@@ -68,6 +69,11 @@ def deal_with(
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
     if event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"]):
+        predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
+        return
+    if event == STRAY:
+        bodies, _contacts = island
+        cross_bounds(state, balls, shapes, index, cells, members, hits, relations, flights, bodies, i)
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
     came, age = way_of(ball, flight), age_now(state, flight)
@@ -238,11 +244,7 @@ def end_quietly(
         ball["vx"] = 0.0
         ball["vy"] = 0.0
     elif event == SLEEP:
-        ball["vx"] = 0.0
-        ball["vy"] = 0.0
-        ball["asleep"] = 1
-        state["sleeping"] += 1
-        flight["kind"] = ASLEEP
+        let_sleep(state, ball, flight)
 
 
 def change_shapes(

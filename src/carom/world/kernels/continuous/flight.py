@@ -50,13 +50,16 @@ def place_after(ball: BallRow, flight: FlightRow, age: float) -> tuple[float, fl
 
 
 def note_course(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
-    """Let the flight of a ball tell from where on it is, as its row does, and whether it falls freely."""
+    """Let the flight of a ball tell from where on it is, as its row does, and whether it falls freely.
+
+    A sensor does not count as such: who has left one by rounding alone is to be asked as well.
+    """
     flight["x"] = ball["x"]
     flight["y"] = ball["y"]
     flight["vx"] = ball["vx"]
     flight["vy"] = ball["vy"]
     falls = flight["ax"] == state["gravity_x"] and flight["ay"] == state["gravity_y"] and flight["kind"] == FLYING
-    flight["reach"] = ball["radius"] if falls else 0.0
+    flight["reach"] = ball["radius"] if falls and ball["sensor"] == 0 else 0.0
 
 
 def path_of(ball: BallRow, flight: FlightRow) -> Path:
@@ -155,24 +158,27 @@ def consider(flight: FlightRow, age: float, event: int, partner: int) -> bool:
 def consider_at(flight: FlightRow, time: float, low: float, event: int, partner: int) -> bool:
     """The same for an event at an instant.
 
-    Of two at one instant the greater kind comes first, and of two balls the one with the lower row: so it does not
-    matter in which order they are found.
+    Of those at one instant the one with the lower key comes first, as in the queue; of several of one ball alone the
+    greatest kind, and of these that with the lower row. So it does not matter in which order they are found, nor in
+    which of two rows an impact of two balls stands.
     """
+    row = int(flight["row"])
+    of_two = event == HIT_BALL or event == EXIT_BALL
+    key = min(row, partner) * KEY_SIDE + max(row, partner) + 1 if of_two else row * KEY_SIDE
     if flight["event"] != NOTHING:
         if is_before(float(flight["event_time"]), float(flight["event_low"]), time, low):
             return False
         if time == flight["event_time"] and low == flight["event_low"]:
-            known = int(flight["event"])
-            if known > event or (known == event and int(flight["partner"]) <= partner):
+            known, known_key = int(flight["event"]), int(flight["event_key"])
+            if known_key < key:
                 return False
-    row = int(flight["row"])
+            if known_key == key and (known > event or (known == event and int(flight["partner"]) <= partner)):
+                return False
     flight["event_time"] = time
     flight["event_low"] = low
     flight["event"] = event
     flight["partner"] = partner
-    # An impact of two balls may stand in either's row; its key is the same.
-    of_two = event == HIT_BALL or event == EXIT_BALL
-    flight["event_key"] = min(row, partner) * KEY_SIDE + max(row, partner) + 1 if of_two else row * KEY_SIDE
+    flight["event_key"] = key
     return True
 
 
@@ -193,6 +199,16 @@ def let_fly(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
         wake(state, ball)
         flight["kind"] = FLYING
         flight["slow_for"] = 0.0
+
+
+def let_sleep(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
+    """Let a ball, whose flight begins now, sleep from now on."""
+    ball["vx"] = 0.0
+    ball["vy"] = 0.0
+    ball["asleep"] = 1
+    ball["still_time"] = flight["slow_for"]
+    state["sleeping"] += 1
+    flight["kind"] = ASLEEP
 
 
 def is_crowded(flight: FlightRow) -> bool:

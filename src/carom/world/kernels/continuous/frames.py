@@ -50,6 +50,7 @@ from carom.world.kernels.continuous.movers import (
 )
 from carom.world.kernels.continuous.regions import rebuild_regions
 from carom.world.kernels.continuous.showing import (
+    age_shown,
     is_as_shown,
     is_shown_sound,
     look_at_balls,
@@ -57,7 +58,8 @@ from carom.world.kernels.continuous.showing import (
     show_as_seen,
     take_back_ball,
 )
-from carom.world.kernels.step.ending import find_strays, sweep_relations
+from carom.world.kernels.continuous.straying import count_out
+from carom.world.kernels.step.ending import sweep_relations
 from carom.world.kernels.step.motion import unsoundness, wake_all
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.soundness import is_in_reach, shapes_are_sound
@@ -96,7 +98,6 @@ def begin_film_step(
     state["horizon_low"] = horizon_low
     keep_tables(states, shapes, order, relations)
     state["substep"] = 0
-    state["outside"] = 0
     if state["running"] != 0:
         enter_stage(state, FLY)
     elif changed:
@@ -153,7 +154,8 @@ def is_none_to_change(state: StateRow, shapes: Table[ShapeRow], order: Table[int
 def may_be_last(state: StateRow) -> bool:
     """True if a step that begins may be the last one of its call, which shows where everything is."""
     stops = state["stop_hits"] > 0 or state["max_impacts"] > 0
-    return bool(state["steps_left"] == 1 or state["bounded"] != 0 or stops)
+    removes = state["bounded"] != 0 and state["remove_strays"] != 0
+    return bool(state["steps_left"] == 1 or removes or stops)
 
 
 def kept_shapes(state: StateRow) -> tuple[int, int]:
@@ -274,6 +276,7 @@ def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     flight["surplus"] = 0.0
     flight["quiet"] = 0
     flight["tick_time"] = NO_TICK
+    flight["tick_low"] = 0.0
     flight["met_time"] = NEVER
     flight["met_low"] = 0.0
     flight["short"] = 0
@@ -298,7 +301,8 @@ def finish_frame(
     state["now_low"] = state["horizon_low"]
     stopped = is_stopped(state, flights)
     enough = 0 < state["stop_hits"] <= state["hits"]
-    last = state["steps_left"] == 1 or stopped or enough or state["bounded"] != 0
+    state["outside"] = count_out(state, balls)
+    last = state["steps_left"] == 1 or stopped or enough or state["outside"] > 0
     sound = show(state, balls, shapes, relations, flights) if last else is_shown_sound(state, balls, flights)
     if not sound:
         undo(states, balls, shapes, order, saved, relations, flights)
@@ -311,8 +315,6 @@ def finish_frame(
     if (last or state["kept_whole"] != UNCHANGED) and not shapes_are_sound(shapes, order, begin, end):
         undo(states, balls, shapes, order, saved, relations, flights)
         return NOT_FINITE
-    if state["bounded"] != 0:
-        find_strays(state, balls)
     state["time"] = state["horizon"]
     state["time_low"] = state["horizon_low"]
     keep_spent(state, shapes)
@@ -321,7 +323,7 @@ def finish_frame(
     state["stage"] = BEGIN
     if stopped:
         return TOO_MANY_IMPACTS
-    return HAS_STRAYS if state["outside"] > 0 and state["remove_strays"] != 0 else DONE
+    return HAS_STRAYS if state["outside"] > 0 else DONE
 
 
 def is_stopped(state: StateRow, flights: Table[FlightRow]) -> bool:
@@ -345,7 +347,7 @@ def undo(
     """Put everything back to what it was when the step began; the copies tell what was not finite any more."""
     number, spent = int(states[0]["step_number"]), int(states[0]["spent"])
     for i in range(states[0]["balls"]):
-        sound = unsoundness(*place_after(balls[i], flights[i], age_now(states[0], flights[i]))) == 0.0
+        sound = unsoundness(*place_after(balls[i], flights[i], age_shown(states[0], balls[i], flights[i]))) == 0.0
         saved[i]["overflowed"] = 0 if sound else 1
         if flights[i]["kept"] == number:
             go_back(balls[i], flights, i)
@@ -398,3 +400,4 @@ def go_back(ball: BallRow, flights: Table[FlightRow], i: int) -> None:
     ball["still_time"] = flight["still_time"]
     ball["relation"] = flight["relation"]
     ball["asleep"] = flight["asleep"]
+    ball["stray"] = flight["stray"]

@@ -7,20 +7,21 @@ from math import inf
 from carom.constants import FEW_FLIGHTS
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_TICK, NOTHING, TICK, FlightRow, QueueRow
+from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_TICK, NOTHING, STRAY, TICK, FlightRow, QueueRow
 from carom.rows.index import CellRow, IndexRow
-from carom.rows.relation import INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, open_bins, time_filed, unfile_ball
 from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, note_course, place_after
-from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond
+from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond, predict_leaving
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
 from carom.world.kernels.continuous.predict_shapes import asks_bit_by_bit, known_until, predict_members, predict_shapes
 from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
+from carom.world.kernels.continuous.straying import is_out, predict_stray
 
 
 def predict_all(
@@ -50,12 +51,10 @@ def predict_all(
         predict_own(state, balls, flights, shapes, relations, i)
         foresee_filing(state, balls[i], flights[i], age_now(state, flights[i]))
     for i in range(state["balls"]):
-        if state["bin_levels"] != 0 and flights[i]["kind"] == FLYING:
+        if state["bin_levels"] != 0 and flights[i]["kind"] == FLYING and not is_out(state, balls[i]):
             predict_balls(state, balls, heads, flights, relations, i, False)
     for i in range(state["balls"]):
-        if state["shapes"] > 0:
-            age = age_now(state, flights[i])
-            predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
+        predict_rest_of(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
         queue_up(state, flights, queue, i)
     return True
 
@@ -75,20 +74,36 @@ def predict(
     i: int,
 ) -> None:
     """Find what comes next for ball `i` from now on and put it into the queue, or take the ball out if nothing does."""
-    if state["binned"] != 0:
+    if state["binned"] != 0 and not is_out(state, balls[i]):
         note_course(state, balls[i], flights[i])
         keep_filed(state, balls, flights, heads, i)
     else:
         never_filed_anew(flights[i])
     predict_own(state, balls, flights, shapes, relations, i)
     # One that sleeps, too: an impact may have been known in its place alone.
-    if state["bin_levels"] != 0:
+    if state["bin_levels"] != 0 and not is_out(state, balls[i]):
         predict_balls(state, balls, heads, flights, relations, i, True)
-    # After the balls: up to an impact with one of these few shapes are near.
-    if state["shapes"] > 0:
-        age = age_now(state, flights[i])
-        predict_shapes(state, balls[i], flights[i], shapes, order, index, cells, members, relations, age)
+    predict_rest_of(state, balls[i], flights[i], shapes, order, index, cells, members, relations)
     queue_up(state, flights, queue, i)
+
+
+def predict_rest_of(
+    state: StateRow,
+    ball: BallRow,
+    flight: FlightRow,
+    shapes: Table[ShapeRow],
+    order: Table[int],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    relations: Table[RelationRow],
+) -> None:
+    """Foresee what a ball meets besides balls, after these: up to an impact with one of them few shapes are near."""
+    age = age_now(state, flight)
+    if state["shapes"] > 0 and not is_out(state, ball):
+        predict_shapes(state, ball, flight, shapes, order, index, cells, members, relations, age)
+    if state["bounded"] != 0 and not is_out(state, ball):
+        predict_stray(state, ball, flight, age)
 
 
 def keep_filed(
@@ -174,6 +189,10 @@ def predict_own(
     ball, flight = balls[i], flights[i]
     flight["event"] = NOTHING
     age = age_now(state, flight)
+    if is_out(state, ball):
+        if ball["relation"] != NO_RELATION:
+            consider(flight, age, STRAY, NO_BALL)
+        return
     in_island = flight["tick_time"] < NO_TICK
     if flight["kind"] == FLYING:
         if in_island:
@@ -186,7 +205,7 @@ def predict_own(
 
 def foresee_filing(state: StateRow, ball: BallRow, flight: FlightRow, age: float) -> None:
     """Foresee when a ball may leave where it is filed, as seen from an age of its flight."""
-    if state["binned"] == 0:
+    if state["binned"] == 0 or is_out(state, ball):
         never_filed_anew(flight)
     else:
         note_filing(flight, age, time_filed(state, ball, flight, age))
@@ -231,6 +250,9 @@ def predict_relations(
                 consider(flight, delay, LEAVE if leaves else TICK, other)
         elif kind == INSIDE_SHAPE:
             predict_exit(ball, flight, shapes[other], other, age)
+        elif kind == INSIDE_BALL:
+            # Not only where it is filed near: what else they overlapped may have been moved apart far.
+            predict_leaving(state, balls, flights, i, other)
         elif kind == PASSING:
             predict_clear(ball, flight, shapes[other], other, age)
         place = int(relation["next"])

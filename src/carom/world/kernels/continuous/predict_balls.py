@@ -21,6 +21,7 @@ from carom.world.kernels.continuous.bins import stretch_of
 from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at, place_after
 from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.straying import is_out
 from carom.world.kernels.step.narrow import approaches
 from carom.world.kernels.step.relations import find_relation
 
@@ -187,7 +188,9 @@ def may_touch(flight: FlightRow, partner: FlightRow, until: float, gx: float, gy
 
 
 def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRow) -> bool:
-    """False for most pairs that do not meet before what is to come for the ball: too far, or parting."""
+    """False for most pairs that do not meet before what is to come for the ball: too far, or parting; no sensors."""
+    if ball["sensor"] != 0 or other["sensor"] != 0:
+        return True
     back = age_at(partner, float(flight["time"]), float(flight["low"]))
     x, y, vx, vy = place_after(other, partner, back)
     dx, dy, wx, wy = ball["x"] - x, ball["y"] - y, ball["vx"] - vx, ball["vy"] - vy
@@ -219,12 +222,12 @@ def predict_pair(
 ) -> None:
     """Foresee the impact of ball `i` with ball `j`, or that they part where one of them is a sensor."""
     ball, other, flight, partner = balls[i], balls[j], flights[i], flights[j]
-    if not may_collide(ball, other):
+    if not may_collide(ball, other) or is_out(state, other):
         return
     low, high = min(i, j), max(i, j)
     if find_relation(relations, balls[high], INSIDE_BALL, low):
-        if predict_parting(ball, flight, other, partner, j, float(state["now"]), float(state["now_low"])):
-            flight["partner_version"] = partner["version"]
+        if i == low:  # the other one has asked, wherever they are
+            predict_leaving(state, balls, flights, i, j)
         return
     if ball["relation"] != NO_RELATION and find_relation(relations, ball, LYING, j):
         return
@@ -237,6 +240,15 @@ def predict_pair(
         time, time_low = later(begin, begin_low, 0.0 + delay)
         if consider_at(flight, time, time_low, HIT_BALL, j):
             flight["partner_version"] = partner["version"]
+
+
+def predict_leaving(
+    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], i: int, j: int
+) -> None:  # fmt: skip
+    """Foresee that ball `i` parts from ball `j`, one of which is a sensor that has the other inside."""
+    flight, partner = flights[i], flights[j]
+    if predict_parting(balls[i], flight, balls[j], partner, j, float(state["now"]), float(state["now_low"])):
+        flight["partner_version"] = partner["version"]
 
 
 def only_slide(first: Path, second: Path) -> bool:

@@ -190,9 +190,12 @@ def predict_parting(
     speed, pull = length(vx1 - vx2, vy1 - vy2), length(ax1 - ax2, ay1 - ay2)
     reach = float(ball["radius"]) + float(other["radius"])
     way = LOOK_TRAVEL * min(float(ball["radius"]), float(other["radius"]))
+    age = max(seconds_since(time, low, begin, begin_low), 0.0)
+    if age == 0.0 and is_apart(apart, 0.0, reach + SEPARATION_SLACK * reach):
+        # One was put elsewhere; what has begun by touching is there, whatever the rounding of its place.
+        return consider_at(flight, begin, begin_low, EXIT_BALL, row)
     if time_to_go(speed, pull, way) == inf:
         return False
-    age = max(seconds_since(time, low, begin, begin_low), 0.0)
     number = 1.0 * floor((speed + 0.5 * pull * age) * age / way)
     before = time_to_go(speed, pull, number * way) if number > 0.0 else 0.0
     while True:

@@ -21,7 +21,7 @@ from carom.constants import (
 from carom.geometry.instants import later
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, NO_TICK, FlightRow
+from carom.rows.flight import NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import NO_BODY, BodyRow, IslandContactRow
 from carom.rows.pose import is_moving
@@ -31,7 +31,7 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.arrival import arrive, energy_of, work_of_shift
 from carom.world.kernels.continuous.encounter import keep_push_out
-from carom.world.kernels.continuous.flight import begins_now, fall_freely, is_crowded, let_fly
+from carom.world.kernels.continuous.flight import begins_now, fall_freely, is_crowded, let_fly, let_sleep
 from carom.world.kernels.continuous.island import (
     aim_at_middle,
     collect,
@@ -170,6 +170,7 @@ def let_go(
     x, y = float(ball["x"]), float(ball["y"])
     surplus = float(ball["mass"]) * float(flight["surplus"])
     flight["tick_time"] = NO_TICK
+    flight["tick_low"] = 0.0
     flight["quiet"] = 0
     flight["surplus"] = 0.0
     set_no_forces(relations, ball)
@@ -380,13 +381,10 @@ def fall_asleep(
         return
     for k in range(count):
         ball, flight = balls[bodies[k]["ball"]], flights[bodies[k]["ball"]]
-        ball["vx"] = 0.0
-        ball["vy"] = 0.0
-        ball["asleep"] = 1
-        state["sleeping"] += 1
-        flight["kind"] = ASLEEP
+        let_sleep(state, ball, flight)
         flight["ax"] = 0.0
         flight["ay"] = 0.0
         flight["quiet"] = 0
         flight["energy"] = energy_of(state, ball)
         flight["tick_time"] = NO_TICK
+        flight["tick_low"] = 0.0

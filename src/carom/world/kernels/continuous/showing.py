@@ -11,6 +11,7 @@ from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import age_now, place_after
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slid_place, slides_along
+from carom.world.kernels.continuous.straying import is_out
 from carom.world.kernels.step.motion import unsoundness
 from carom.world.kernels.step.soundness import is_good, is_measured, is_sound
 
@@ -60,6 +61,7 @@ def keep_seen(ball: BallRow, flight: FlightRow) -> None:
     flight["seen_still"] = ball["still_time"]
     flight["seen_relation"] = ball["relation"]
     flight["seen_asleep"] = ball["asleep"]
+    flight["seen_stray"] = ball["stray"]
 
 
 def is_any_changed(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
@@ -84,9 +86,14 @@ def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
 def is_shown_sound(state: StateRow, balls: Table[BallRow], flights: Table[FlightRow]) -> bool:
     """True if all balls are at finite places now, with finite velocities."""
     for i in range(state["balls"]):
-        if unsoundness(*place_after(balls[i], flights[i], age_now(state, flights[i]))) != 0.0:
+        if unsoundness(*place_after(balls[i], flights[i], age_shown(state, balls[i], flights[i]))) != 0.0:
             return False
     return True
+
+
+def age_shown(state: StateRow, ball: BallRow, flight: FlightRow) -> float:
+    """The age of a flight at which it is shown: now, or for one that is out, where it was when it left."""
+    return 0.0 if is_out(state, ball) else age_now(state, flight)
 
 
 def show(
@@ -104,7 +111,7 @@ def show(
     noted = state["binned"] != 0 and state["foreseen"] != 0
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
-        age = age_now(state, flight)
+        age = age_shown(state, ball, flight)
         x, y, vx, vy = place_after(ball, flight, age)
         if unsoundness(x, y, vx, vy) != 0.0:
             for k in range(i):
@@ -151,3 +158,4 @@ def show_as_seen(balls: Table[BallRow], flights: Table[FlightRow], count: int) -
         ball["still_time"] = flight["seen_still"]
         ball["relation"] = flight["seen_relation"]
         ball["asleep"] = flight["seen_asleep"]
+        ball["stray"] = flight["seen_stray"]

@@ -36,7 +36,7 @@ def test_a_new_flight_begins_where_the_ball_is() -> None:
 
 def test_all_of_a_course_is_copied_but_what_an_event_leaves_and_its_lines_are_those_that_are_asked_for() -> None:
     left = {"id", *(name for name in FLIGHT.names or () if name.startswith("shown"))}
-    wanted = {*(COURSE.names or ())} - left | {"still_time", "relation", "asleep"}
+    wanted = {*(COURSE.names or ())} - left | {"still_time", "relation", "asleep", "stray"}
     flights = np.zeros(2, FLIGHT)
     for k, name in enumerate(FLIGHT.names or ()):
         flights[0][name] = k + 1

@@ -132,6 +132,18 @@ def test_the_soonest_event_is_kept_in_whatever_order_they_are_found(order: tuple
     assert other["event_key"] == key
 
 
+@pytest.mark.parametrize("ball", [0, 1])
+@pytest.mark.parametrize("turned", [False, True])
+def test_of_what_comes_at_one_instant_the_same_is_first_in_either_row_of_two(ball: int, turned: bool) -> None:
+    flights = in_flight(continuous_world(Ball((0, 0), 1), Ball((3, 0), 1))).flights
+    events = [(1.0, HIT_SHAPE, 7), (1.0, HIT_BALL, 1 - ball)]
+    flights[ball]["event"] = NOTHING
+    for event in reversed(events) if turned else events:
+        consider(flights[ball], *event)
+    # In the queue what the lower row does alone comes first, then the impact, then what the other does.
+    assert flights[ball]["event"] == (HIT_SHAPE, HIT_BALL)[ball]
+
+
 def test_consider_tells_whether_an_event_is_what_comes_next() -> None:
     flight = in_flight(continuous_world(Ball((0, 0), 1))).flights[0]
     assert consider(flight, 1.0, LOOK, NO_BALL)
