@@ -114,8 +114,10 @@ def slow_rebound(
     time = age_of_motion(shape, flight)
     gx, gy = pull_on(state, ball)
     press = pressure(shape, time, ball, nx, ny, gx, gy)
-    # What holds the ball already may press it on, as a floor that slopes down to an upright wall does.
-    press = max(press, pressure(shape, time, ball, nx, ny, float(flight["ax"]), float(flight["ay"])))
+    ax, ay = float(flight["ax"]), float(flight["ay"])
+    if ax != gx or ay != gy:
+        # What holds the ball already may press it on, as a floor that slopes down to an upright wall does.
+        press = max(press, pressure(shape, time, ball, nx, ny, ax, ay))
     return lasting_speed(press, float(ball["radius"]), elasticity)
 
 

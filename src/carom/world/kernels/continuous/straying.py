@@ -139,12 +139,13 @@ def take_out(
     bodies: Table[BodyRow],
     i: int,
 ) -> None:
-    """End what a ball has to do with others, which is foreseen anew for all; sensors see it leave."""
+    """End what a ball has to do with others: who lies on it is solved anew, at once, and sensors see it leave."""
     arrive(state, balls, shapes, index, cells, members, flights, relations, i)
     ball, now = balls[i], float(state["now"])
     if lies(relations, ball):
         hasten(state, balls, flights, relations, bodies, i)
         part_from_all(state, balls, relations, i)
+        state["foreseen"] = 0
     while ball["relation"] != NO_RELATION:
         place = int(ball["relation"])
         kind, other = int(relations[place]["kind"]), row_of(relations[place]["other"])
@@ -157,4 +158,3 @@ def take_out(
         if balls[j]["relation"] != NO_RELATION and find_relation(relations, balls[j], INSIDE_BALL, i):
             write_hit(state, hits[state["hits"]], now, EXIT, balls[j], int(ball["id"]))
             drop_kind(state, relations, balls[j], INSIDE_BALL, i)
-    state["foreseen"] = 0
