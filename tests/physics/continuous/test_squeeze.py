@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from carom import Arc, Ball, Circle, Compound, Point, Segment
+from carom import Arc, Ball, Circle, Compound, Gate, Point, Segment, World
 from carom.constants import LIFT, MOST_AT_ONCE
 from carom.shapes.shape import Shape
 from tests.clock import within
@@ -292,3 +292,37 @@ def test_a_cage_that_moves_and_leaves_a_ball_no_room_holds_no_step_up(seed: int)
     # Nor does it go to and fro in the cage for as long as that moves: dear steps could end in time all the same.
     assert world.statistics.held <= MOST_AT_ONCE
     assert world.statistics.full_tests < 50_000
+
+
+@pytest.mark.compiled
+def test_balls_too_close_for_a_turning_arc_that_one_of_them_all_but_fills_hold_up_no_step() -> None:
+    # The arc's centre comes to within 1e-9 of a ball's as large, where rounding tells on which side of an end that is.
+    arc = Arc((-2, 0.5), 1, pi, 0.0, elasticity=0.0, motion="kinematic", velocity=(1, 0), angular_velocity=-2)
+    arc.pivot = (-1, 2)
+    gate = Gate((2, -0.5), (2, 0), direction=(-1, 0), motion="kinematic", angular_velocity=10, pivot=(2, -0.5))
+    ring = Circle((2, 3), 2, elasticity=0.9, motion="kinematic", velocity=(1, 0), angular_velocity=1, pivot=(0, -2))
+    world = World(gravity=(3, -4), rest_speed=0.5)
+    world.add(arc, gate, ring)
+    places = [
+        (0, 1.5),
+        (-3, -1),
+        (0.5, -1),
+        (0, 2),
+        (-1.5, 0),
+        (-3, 3),
+        (0.5, 3),
+        (1, 0),
+        (3, 0.5),
+        (3, -0.5),
+        (0.5, 1.5),
+    ]
+    speeds = [(-1, -3), (1, -3), (2, 1), (1, 2), (-1, 0), (1, 0), (0, 0), (-1, -3), (0, 2), (1, -3), (1, -3), (0, 0)]
+    radii, light = {5: 0.05, 8: 0.5}, (0, 6, 9, 10, 11)
+    for k, (place, speed) in enumerate(zip([*places, (-2, -1.5)], speeds, strict=True)):
+        mass, layer = (1 if k in light else 2 if k == 7 else 100), (2 if k in (0, 3, 11) else 1)
+        ball = Ball(place, radii.get(k, 1.0), speed, mass, elasticity=0.0, layer=layer, sensor=k == 6)
+        world.add(ball)
+    with within(5.0):
+        for _ in range(64):
+            world.step(1 / 64)
+    assert np.isfinite(world.balls.position).all()

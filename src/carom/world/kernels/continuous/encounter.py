@@ -77,6 +77,11 @@ def impact_with_shape(
         return
     found = gap_to_shape(shape, time, x, y, radius, float(ball["vx"]), float(ball["vy"]))
     if found is None:
+        # Rounding has put it beside the shape when it was foreseen, and beyond an end now; it may do so without end.
+        flight["at_once"] += 1
+        if flight["at_once"] >= MOST_AT_ONCE:
+            flight["at_once"] = 0
+            add_relation(state, relations, ball, i, PASSING, row)
         return
     gap, nx, ny = found
     # One at rest may have been put onto the ball.

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Ball, Circle, Gate, Segment
-from carom.constants import ELASTIC_REBOUND, REBOUND, SHORT_FLIGHTS
+from carom.constants import ELASTIC_REBOUND, MOST_AT_ONCE, REBOUND, SHORT_FLIGHTS
 from carom.rows.flight import ASLEEP, FLYING
 from carom.rows.hit import ENTER, HIT_ROW
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, PASSING
@@ -148,6 +148,16 @@ def test_a_gate_is_passed_from_its_open_side() -> None:
         touched(arrays)
         assert find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0) == passes
         assert arrays.balls.rows["vx"][0] == (3 if passes else -3)
+
+
+def test_what_a_ball_is_not_beside_when_it_meets_it_again_and_again_it_passes() -> None:
+    world = continuous_world(Segment((0, 0), (4, 0)), Ball((5, 0.5), 0.5, (0, -1)))
+    arrays = in_flight(world)
+    for k in range(MOST_AT_ONCE):
+        assert not find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0), k
+        touched(arrays)
+    assert find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0)
+    assert (world.balls[0].velocity, arrays.flights[0]["at_once"]) == ((0, -1), 0)
 
 
 def test_a_rebound_that_would_end_at_once_is_a_contact_that_lasts() -> None:
