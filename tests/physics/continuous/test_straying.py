@@ -97,6 +97,20 @@ def test_a_ball_leaves_when_all_of_it_is_out_and_hits_nothing_any_more(side: int
     assert world.strays[0].velocity == pytest.approx((2.0 + pull * out) * way)
 
 
+@pytest.mark.parametrize("removes", [False, True])
+def test_aim_tells_what_a_step_will_so_nothing_beyond_the_bounds_where_balls_are_removed(removes: bool) -> None:
+    wall, ball = Segment((9, -3), (9, 3)), Ball((0, 0), 1, (2, 0))
+    world = continuous_world(wall, ball)
+    world.bounds, world.remove_strays = (-5, -5, 5, 5), removes
+    aim = world.aim(ball)
+    hits = world.step(10.0)
+    if removes:
+        assert (aim, len(hits)) == (None, 0)
+    else:
+        assert aim is not None
+        assert (aim.shape, aim.time) == (wall, hits[0].time)
+
+
 def test_a_stray_that_is_not_removed_comes_back_and_may_leave_again() -> None:
     for steps in ([1 / 64] * 640, [10.0], [3.0, 7.0]):
         world = continuous_world(Segment((-1, -1), (1, -1)), Ball((0, 0), 0.5, (0, 8)), gravity=(0, -4))
