@@ -58,7 +58,7 @@ from carom.world.kernels.continuous.showing import (
     show_as_seen,
     take_back_ball,
 )
-from carom.world.kernels.continuous.straying import count_out
+from carom.world.kernels.continuous.straying import count_out, removes_strays
 from carom.world.kernels.step.ending import sweep_relations
 from carom.world.kernels.step.motion import unsoundness, wake_all
 from carom.world.kernels.step.relations import relations_room
@@ -154,8 +154,7 @@ def is_none_to_change(state: StateRow, shapes: Table[ShapeRow], order: Table[int
 def may_be_last(state: StateRow) -> bool:
     """True if a step that begins may be the last one of its call, which shows where everything is."""
     stops = state["stop_hits"] > 0 or state["max_impacts"] > 0
-    removes = state["bounded"] != 0 and state["remove_strays"] != 0
-    return bool(state["steps_left"] == 1 or removes or stops)
+    return bool(state["steps_left"] == 1 or removes_strays(state) or stops)
 
 
 def kept_shapes(state: StateRow) -> tuple[int, int]:

@@ -9,10 +9,10 @@ from carom.geometry.path import Path, path_after
 from carom.geometry.roots import falling_time
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, NO_BALL, STRAY, FlightRow
-from carom.rows.hit import EXIT, HitRow
+from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.relation import INSIDE_BALL, NO_RELATION, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
@@ -20,22 +20,27 @@ from carom.world.kernels.continuous.arrival import arrive, keep_course
 from carom.world.kernels.continuous.flight import consider, event_age, path_box, path_of
 from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.step.hits import write_hit
+from carom.world.kernels.step.ending import write_exit
 from carom.world.kernels.step.relations import drop_kind, drop_relation, find_relation
 
 #: Sides of the bounds: left, right, bottom, top.
 SIDES = 4
 
 
+def removes_strays(state: StateRow) -> bool:
+    """True where balls that leave the bounds are removed."""
+    return bool(state["remove_strays"] != 0 and state["bounded"] != 0)
+
+
 def is_out(state: StateRow, ball: BallRow) -> bool:
     """True for a ball that has left the bounds of a world which removes such: it is there until the step ends."""
-    return bool(ball["stray"] != 0 and state["remove_strays"] != 0 and state["bounded"] != 0)
+    return bool(ball["stray"] != 0) and removes_strays(state)
 
 
 def count_out(state: StateRow, balls: Table[BallRow]) -> int:
     """How many balls are to be removed when the step ends."""
     found = 0
-    if state["bounded"] != 0 and state["remove_strays"] != 0:
+    if removes_strays(state):
         for i in range(state["balls"]):
             found += int(balls[i]["stray"] != 0)
     return found
@@ -149,12 +154,9 @@ def take_out(
     while ball["relation"] != NO_RELATION:
         place = int(ball["relation"])
         kind, other = int(relations[place]["kind"]), row_of(relations[place]["other"])
-        if kind == INSIDE_SHAPE:
-            write_hit(state, hits[state["hits"]], now, EXIT, ball, int(shapes[other]["id"]))
-        elif kind == INSIDE_BALL:
-            write_hit(state, hits[state["hits"]], now, EXIT, ball, int(balls[other]["id"]))
+        write_exit(state, balls, shapes, hits, ball, kind, other, now)
         drop_relation(state, relations, ball, place, NO_RELATION)
     for j in range(state["balls"]):
         if balls[j]["relation"] != NO_RELATION and find_relation(relations, balls[j], INSIDE_BALL, i):
-            write_hit(state, hits[state["hits"]], now, EXIT, balls[j], int(ball["id"]))
+            write_exit(state, balls, shapes, hits, balls[j], INSIDE_BALL, i, now)
             drop_kind(state, relations, balls[j], INSIDE_BALL, i)

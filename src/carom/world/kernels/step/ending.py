@@ -94,11 +94,25 @@ def end_relations(
             before = place
             place = int(relations[place]["next"])
             continue
-        if kind == INSIDE_SHAPE:
-            write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
-        elif kind == INSIDE_BALL:
-            write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
+        write_exit(state, balls, shapes, hits, ball, kind, other, time)
         place = drop_relation(state, relations, ball, place, before)
+
+
+def write_exit(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    hits: Table[HitRow],
+    ball: BallRow,
+    kind: int,
+    other: int,
+    time: float,
+) -> None:
+    """Record that a ball leaves what it has a relation to, where that is a sensor or it is one. There must be room."""
+    if kind == INSIDE_SHAPE:
+        write_hit(state, hits[state["hits"]], time, EXIT, ball, int(shapes[other]["id"]))
+    elif kind == INSIDE_BALL:
+        write_hit(state, hits[state["hits"]], time, EXIT, ball, int(balls[other]["id"]))
 
 
 def finish_substep(state: StateRow, balls: Table[BallRow], duration: float) -> None:
