@@ -197,8 +197,9 @@ def may_near(ball: BallRow, flight: FlightRow, other: BallRow, partner: FlightRo
     gx, gy = flight["ax"], flight["ay"]
     if partner["kind"] == FLYING:
         gx, gy = gx - partner["ax"], gy - partner["ay"]
-    reach = ball["radius"] + other["radius"]
-    # The margin is for rounding: who is left out must not depend on what else was found before.
+    # The margins are for rounding: who is left out must not depend on what else was found before.
+    slack = GAP_ROUNDING * ((fabs(ball["x"]) + fabs(ball["y"])) + (fabs(x) + fabs(y)))
+    reach = SWEEP_ROUNDING * (ball["radius"] + other["radius"]) + slack
     duration = event_age(flight) * SWEEP_ROUNDING
     if gx == 0.0 and gy == 0.0:
         # Seen from the other, the ball moves straight.

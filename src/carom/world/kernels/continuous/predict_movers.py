@@ -83,7 +83,8 @@ def predict_mover(
             predict_entry(ball, flight, shape, row, age)
     for _ in range(MOVER_LOOKS):
         start = number * length
-        if begin + start >= min(event_age(flight), last):
+        # What touches at the very time of what is known is found too: which of them comes first is told by their rows.
+        if begin + start > min(event_age(flight), last):
             return
         away = seen_from_pivot(shape, path, shape_begin, start)
         clear = time_until_near(away, reach, length)

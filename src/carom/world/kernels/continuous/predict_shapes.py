@@ -149,7 +149,7 @@ def predict_on_way(
         x, y = place_on(path, begin)
         if not (left <= x <= right and bottom <= y <= top):
             begin = time_into_box(path, begin, left, bottom, right, top)
-        if begin >= until:
+        if begin > until or begin == inf:
             return
         clear = cells_clear(entry, cells, (x - left) / side, (y - bottom) / side) if known else 0
         vx, vy = begin_vx + gx * begin, begin_vy + gy * begin
@@ -189,7 +189,7 @@ def predict_on_line(
     right, top = left + side * columns, bottom + side * lines
     if not (left <= x <= right and bottom <= y <= top):
         begin = time_into_box(path, begin, left, bottom, right, top)
-        if begin >= until:
+        if begin > until or begin == inf:
             return
         x, y = place_on(path, begin)
     column = min(max(floor((x - left) / side), 0), columns - 1)

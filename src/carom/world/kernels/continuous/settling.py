@@ -129,8 +129,10 @@ def begin_now(
     relations: Table[RelationRow],
     i: int,
 ) -> None:
-    """Begin a new flight of a ball now, if none has begun."""
-    if not begins_now(state, flights[i]):
+    """Begin a new flight of a ball now; of one that has begun now, what others have foreseen with it counts no more."""
+    if begins_now(state, flights[i]):
+        flights[i]["version"] += 1
+    else:
         arrive(state, balls, shapes, index, cells, members, flights, relations, i)
 
 

@@ -77,6 +77,7 @@ def meet_all_shapes(
             prefetch(saved, ahead)
         ball, mark = balls[i], saved[i]
         if ball["asleep"] != 0:
+            note_met(mark, ball)
             note_pairs_due(state, mark)
             continue
         if lacks_room(state, len(hits), len(relations), k, most):

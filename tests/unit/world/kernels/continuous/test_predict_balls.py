@@ -10,7 +10,7 @@ from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, HIT_BALL, NOTHING
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.bins import file_ball, open_bins, time_filed, unfile_ball
-from carom.world.kernels.continuous.flight import event_age, place_after
+from carom.world.kernels.continuous.flight import consider, event_age, place_after
 from carom.world.kernels.continuous.predict_balls import (
     may_near,
     only_slide,
@@ -168,6 +168,24 @@ def test_who_is_left_out_at_first_sight_does_not_meet(seed: int) -> None:
                 assert foreseen(arrays, i) == before
         assert event_age(flights[i]) == until
     assert left_out > 100
+
+
+@pytest.mark.parametrize("pull", [(0.0, 0.0), (3.0, -1.0)])
+@pytest.mark.parametrize("seed", range(3))
+def test_who_touches_now_is_not_left_out_for_what_else_comes_now(seed: int, pull: tuple[float, float]) -> None:
+    random = np.random.default_rng(seed)
+    for _ in range(100):
+        places, radii = random.uniform(-8, 8, (2, 2)), random.uniform(0.1, 0.5, 2)
+        away = places[1] - places[0]
+        places[1] = places[0] + away * (radii.sum() / np.hypot(*away))
+        world = World(detection="continuous")
+        world.add_balls(places, [away, -away], radius=radii)
+        arrays = in_flight(world)
+        rows, flights = arrays.balls.rows, arrays.flights
+        flights[0]["ax"], flights[0]["ay"] = pull
+        # Another impact is known, at this very time.
+        assert consider(flights[0], 0.0, HIT_BALL, 7)
+        assert may_near(rows[0], flights[0], rows[1], flights[1])
 
 
 def test_who_cannot_collide_is_not_foreseen() -> None:

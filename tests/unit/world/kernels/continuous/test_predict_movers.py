@@ -12,7 +12,13 @@ from carom.geometry.path import Path
 from carom.rows.flight import HIT_SHAPE, LOOK, NOTHING
 from carom.rows.pose import pose, reach_of
 from carom.world.kernels.continuous.flight import event_age, path_of, place_after
-from carom.world.kernels.continuous.predict_movers import predict_mover, seen_from_pivot, slice_length, time_until_near
+from carom.world.kernels.continuous.predict_movers import (
+    predict_mover,
+    predict_movers,
+    seen_from_pivot,
+    slice_length,
+    time_until_near,
+)
 from carom.world.kernels.continuous.surfaces import gap_to_shape
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight
@@ -181,3 +187,20 @@ def test_a_shape_that_travels_is_met_or_passed_past_its_ends_as_one_at_rest(seed
         world.add(Ball((place[0] + 7, place[1]), 0.4, velocity=(float(seen[0]) - 3, float(seen[1]))))
         hits.append(world.step(8.0)["time"].tolist())
     assert hits[0] == pytest.approx(hits[1], abs=1e-9)
+
+
+def test_of_shapes_that_touch_a_ball_at_one_time_the_first_is_foreseen_however_they_are_listed() -> None:
+    turning = {"motion": "kinematic", "pivot": (0.0, 0.0), "angular_velocity": 1.0}
+    walls = [
+        Segment((-2, 0.0), (2, 0.0), **turning),
+        Segment((2, 0.1), (-2, 0.1), **turning),
+        Circle((0, 0), 3, **turning),
+    ]
+    arrays = in_flight(continuous_world(*walls, Ball((1.0, 0.3), 0.5, velocity=(0.0, -1.0))))
+    ball, flight, shapes = arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows
+    for members in ([0, 1, 2], [1, 0, 2], [2, 1, 0]):
+        flight["event"] = NOTHING
+        predict_movers(
+            arrays.states[0], ball, flight, shapes, np.array(members, "i4"), arrays.relations, 0, 3, 0.0, inf
+        )
+        assert (flight["event"], flight["partner"], event_age(flight)) == (HIT_SHAPE, 0, 0.0)
