@@ -86,7 +86,8 @@ class FlightRow(CourseRow):
     # where it is filed
     column: i4
     line: i4
-    level: i4
+    level: i2
+    filings: i2  # of late, one after the other with no event of its own in between
     next: i4  # in the same cell
     reach: f8  # its radius where it falls freely, as all do that nothing else pulls, and is no sensor; otherwise 0
     body: i4  # one more than its place in the island that is being solved; 0 if it is in none
@@ -128,7 +129,7 @@ COURSE = dtype_of(CourseRow)
 FLIGHT = dtype_in_order(
     FlightRow,
     """
-    time low x y vx vy reach next level
+    time low x y vx vy reach next level filings
     low_vx low_vy ax ay slow_for tick_time tick_low kind impacts
     met_time met_low at_once energy surplus still_time short quiet relation asleep stray
     event_time event_low event_key file_time file_low event partner partner_version version row body

@@ -140,6 +140,11 @@ class StateRow(TypedDict):
     bin_stride: i8
     bin_mask: i8
     bin_levels: i8
+    bin_least: f8  # the least width of cells of balls in flight; 0: as narrow as balls allow
+    # what was done since the cells were fitted last: balls filed anew, predicted, and tested against each other
+    bin_filings: i8
+    bin_predictions: i8
+    bin_tests: i8
     iteration: i8
     cursor: i8  # the ball or pair at which the stage goes on; in a beginning, how many balls it has moved (discrete)
     pairs: i8

@@ -38,6 +38,7 @@ from carom.rows.state import (
 )
 from carom.rows.tables import Pairs, Table
 from carom.world.kernels.broad_phase.shape_index import FIXED, MOVING
+from carom.world.kernels.continuous.bins import fit_bins
 from carom.world.kernels.continuous.dropping import let_go
 from carom.world.kernels.continuous.events import change_shapes, deal_with
 from carom.world.kernels.continuous.frames import begin_film_step, finish_frame, note_passed, take_up
@@ -212,10 +213,10 @@ def fly(
             state["horizon_low"] = state["now_low"]
             enter_stage(state, SHOW)
             return DONE
-        if state["foreseen"] == 0:
+        state["events"] += 1
+        if state["foreseen"] == 0 or fit_bins(state):
             enter_stage(state, FORESEE)
             return DONE
-        state["events"] += 1
         if state["events"] > EVENTS_BETWEEN_PAUSES:
             return PAUSE
     enter_stage(state, SHOW)

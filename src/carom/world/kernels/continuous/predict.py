@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf
 
-from carom.constants import FEW_FLIGHTS
+from carom.constants import FEW_FLIGHTS, FINEST_LEVEL
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, LEAVE, NO_BALL, NO_TICK, NOTHING, STRAY, TICK, FlightRow, QueueRow
@@ -13,9 +13,23 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.bins import cell_at, file_ball, may_meet, open_bins, time_filed, unfile_ball
+from carom.world.kernels.continuous.bins import (
+    cell_at,
+    file_ball,
+    level_after,
+    may_meet,
+    open_bins,
+    own_level,
+    time_filed,
+    unfile_ball,
+)
 from carom.world.kernels.continuous.flight import KEY_SIDE, age_now, consider, consider_at, note_course, place_after
-from carom.world.kernels.continuous.predict_balls import predict_balls, predict_balls_beyond, predict_leaving
+from carom.world.kernels.continuous.predict_balls import (
+    NO_CELL,
+    predict_balls,
+    predict_balls_beyond,
+    predict_leaving,
+)
 from carom.world.kernels.continuous.predict_sensors import predict_clear, predict_exit
 from carom.world.kernels.continuous.predict_shapes import asks_bit_by_bit, known_until, predict_members, predict_shapes
 from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, take_event
@@ -45,6 +59,7 @@ def predict_all(
         note_course(state, balls[i], flights[i])
         flights[i]["row"] = i
         flights[i]["body"] = 0
+        flights[i]["filings"] = 0
     if state["balls"] > FEW_FLIGHTS and state["bin_levels"] != 0 and not open_bins(state, balls, flights, heads):
         return False
     for i in range(state["balls"]):
@@ -113,9 +128,11 @@ def keep_filed(
     flight = flights[i]
     age = age_now(state, flight)
     wait = time_filed(state, balls[i], flight, age)
-    if wait < 0.0:
+    flight["filings"] = 0
+    state["bin_predictions"] += 1
+    if wait < 0.0 or flight["level"] > FINEST_LEVEL:
         unfile_ball(state, flights, heads, i)
-        file_ball(state, balls, flights, heads, i, age)
+        file_ball(state, balls, flights, heads, i, age, own_level(state, balls[i]))
         wait = time_filed(state, balls[i], flight, age)
     note_filing(flight, age, wait)
 
@@ -141,8 +158,12 @@ def file_anew(
     column, line = int(flight["column"]), int(flight["line"])
     x, y, _vx, _vy = place_after(balls[i], flight, age)
     if (column, line) != cell_at(state, x, y, int(flight["level"])):
+        level = level_after(state, flight)
+        if level != flight["level"]:
+            column, line = NO_CELL, NO_CELL
         unfile_ball(state, flights, heads, i)
-        file_ball(state, balls, flights, heads, i, age)
+        file_ball(state, balls, flights, heads, i, age, level)
+        state["bin_filings"] += 1
         predict_balls_beyond(state, balls, heads, flights, relations, i, column, line, True)
     foresee_filing(state, balls[i], flight, age)
     if asks_bit_by_bit(state, index):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, inf
 
-from carom.constants import BIN_REACH, GAP_ROUNDING, SWEEP_ROUNDING
+from carom.constants import BIN_REACH, FINEST_LEVEL, GAP_ROUNDING, SWEEP_ROUNDING
 from carom.geometry.impact import impact_ball
 from carom.geometry.instants import is_before, later
 from carom.geometry.path import Path
@@ -16,8 +16,8 @@ from carom.rows.prefetch import prefetch
 from carom.rows.relation import INSIDE_BALL, LYING, NO_RELATION, RelationRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.broad_phase.grid import cell_of, inverse_side_of
-from carom.world.kernels.continuous.bins import stretch_of
+from carom.world.kernels.broad_phase.grid import cell_of
+from carom.world.kernels.continuous.bins import side_of, stretch_of
 from carom.world.kernels.continuous.flight import age_at, consider_at, event_age, path_at, place_after
 from carom.world.kernels.continuous.predict_sensors import predict_parting
 from carom.world.kernels.continuous.queue import row_of
@@ -90,8 +90,8 @@ def predict_balls_beyond(
 
 def cells_near(state: StateRow, ball: BallRow, flight: FlightRow, level: int) -> tuple[int, int, int, int]:
     """The cells of another level, from left to right and bottom to top, under which a ball's partners may be filed."""
-    inverse_side = inverse_side_of(float(state["bin_side"]), level)
-    side = float(state["bin_side"]) / float(1 << int(flight["level"]))
+    inverse_side = 1.0 / side_of(state, level)
+    side = side_of(state, int(flight["level"]))
     reach = float(ball["radius"]) + BIN_REACH / inverse_side
     begin, end = stretch_of(int(flight["column"]), side)
     left, right = cell_of(begin - reach, inverse_side), cell_of(end + reach, inverse_side)
@@ -152,6 +152,8 @@ def predict_cells(
                         until = event_age(flight) * SWEEP_ROUNDING
                 j = row_of(partner["next"])
     state["box_tests"] += tests
+    if max(level, int(flight["level"])) <= FINEST_LEVEL:
+        state["bin_tests"] += tests
 
 
 def may_touch(flight: FlightRow, partner: FlightRow, until: float, gx: float, gy: float) -> bool:

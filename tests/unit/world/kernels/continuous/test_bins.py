@@ -7,15 +7,24 @@ import numpy as np
 import pytest
 
 from carom import World
-from carom.constants import CELL_CLAMP
+from carom.constants import CELL_CLAMP, FINEST_LEVEL
 from carom.rows.flight import NO_BALL
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.bins import (
+    FILINGS_IN_A_ROW,
+    FITTING_AFTER,
+    TESTS_MOST,
+    WIDEST,
+    WIDEST_LEVEL,
     bin_number,
     cell_at,
     file_ball,
+    fit_bins,
+    level_after,
     may_meet,
     open_bins,
+    own_level,
+    side_of,
     stretch_of,
     time_filed,
     time_within,
@@ -67,25 +76,34 @@ def test_every_ball_is_filed_once_under_the_cell_of_its_level_that_holds_it(size
         unfile_ball(state, flights, heads, step)
         assert step not in chain(*filed(arrays, heads))
         balls[step]["x"] += 3.0
-        file_ball(state, balls, flights, heads, step, 0.0)
+        file_ball(state, balls, flights, heads, step, 0.0, own_level(state, balls[step]))
 
 
 def allowed(arrays: Arrays, i: int) -> list[tuple[float, float]]:
     """Where a ball may be across and along as long as it stays filed as it is, from the corner of all cells."""
     flight = arrays.flights[i]
-    side = float(arrays.states[0]["bin_side"]) / 2 ** int(flight["level"])
+    side = side_of(arrays.states[0], int(flight["level"]))
     return [stretch_of(int(flight[name]), side) for name in ("column", "line")]
 
 
+@pytest.mark.parametrize("least", [0.0, 0.7, 300.0])
+@pytest.mark.parametrize("far", [0.0, 0.3])
 @pytest.mark.parametrize("sizes", [(0.5, 0.5), (0.01, 3.0)])
-def test_balls_that_touch_are_filed_in_neighbouring_cells_or_where_the_other_looks(sizes: tuple[float, float]) -> None:
+def test_balls_that_touch_are_filed_in_neighbouring_cells_or_where_the_other_looks(
+    sizes: tuple[float, float], far: float, least: float
+) -> None:
     arrays = in_flight(crowd(2, sizes), 1.0)
     state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    state["bin_least"] = least
     assert open_bins(state, balls, flights, heads)
     random, seen = np.random.default_rng(3), 0
     for _ in range(5):
         for i in range(60):
-            (left, right), (bottom, top) = allowed(arrays, i)
+            level = random.integers(FINEST_LEVEL, WIDEST_LEVEL) + 1 if random.random() < far else None
+            unfile_ball(state, flights, heads, i)
+            file_ball(state, balls, flights, heads, i, 0.0, level or own_level(state, balls[i]))
+        for i in range(60):
+            (left, right), (bottom, top) = np.clip(allowed(arrays, i), -30.0, 30.0).tolist()
             balls[i]["x"] = state["bin_left"] + random.choice((left, right, random.uniform(left, right)))
             balls[i]["y"] = state["bin_bottom"] + random.choice((bottom, top, random.uniform(bottom, top)))
         for i, j in combinations(range(60), 2):
@@ -162,6 +180,71 @@ def test_a_ball_is_filed_where_it_is_at_an_age_of_its_flight() -> None:
     assert open_bins(state, balls, flights, heads)
     assert flights["column"][7] == cell_at(state, x + 1.5, 0.0, int(flights["level"][7]))[0]
     unfile_ball(state, flights, heads, 7)
-    file_ball(state, balls, flights, heads, 7, 2.0)
+    file_ball(state, balls, flights, heads, 7, 2.0, own_level(state, balls[7]))
     assert flights["column"][7] == cell_at(state, x + 6.0, 0.0, int(flights["level"][7]))[0]
     assert balls["x"][7] == x
+
+
+def test_cells_of_the_levels_halve_and_those_for_balls_that_fly_far_are_a_thousand_times_as_wide() -> None:
+    arrays = in_flight(crowd(1, (0.5, 0.5)), 1.0)
+    state = arrays.states[0]
+    state["bin_side"] = 6.0
+    assert [side_of(state, level) for level in range(4)] == [6.0, 3.0, 1.5, 0.75]
+    assert side_of(state, FINEST_LEVEL) == 6.0 * 2.0**-FINEST_LEVEL
+    wide = [side_of(state, level) for level in range(FINEST_LEVEL + 1, WIDEST_LEVEL + 1)]
+    assert wide == [6.0 * 2.0**10, 6.0 * 2.0**20, 6.0 * 2.0**30, WIDEST]
+
+
+def test_a_ball_is_filed_under_a_wider_level_after_so_many_cells_in_a_row_and_under_the_widest_for_good() -> None:
+    arrays = in_flight(crowd(1, (0.01, 3.0)), 1.0)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    assert open_bins(state, balls, flights, heads)
+    flight, in_a_row = flights[5], FILINGS_IN_A_ROW + 60 // 8
+    own, levels = int(flight["level"]), []
+    for _ in range(5):
+        for filing in range(in_a_row + 1):
+            levels.append(level_after(state, flight))
+            if levels[-1] != flight["level"]:
+                assert filing == in_a_row
+                flight["level"] = levels[-1]
+    assert sorted(levels) == levels
+    assert sorted(set(levels)) == [own, *range(FINEST_LEVEL + 1, WIDEST_LEVEL + 1)]
+
+
+@pytest.mark.parametrize(
+    ("filings", "predictions", "tests", "factor"),
+    [
+        (10, 10, 10, None),  # too few to tell
+        (600, 200, 600, 2.0),
+        (600, 200, 6000, None),  # as wide as pays
+        (600, 300, 600, None),  # hardly any filings to save
+        (60_000, 20, 0, 8.0),
+        (600, 10, TESTS_MOST * 601, 0.5),
+        (10, 600, TESTS_MOST * 601, 0.5),
+        (10, 600, TESTS_MOST * 599, None),
+    ],
+)
+def test_cells_are_fitted_to_what_was_done(filings: int, predictions: int, tests: int, factor: float | None) -> None:
+    assert FITTING_AFTER * 60 > 30
+    arrays = in_flight(crowd(1, (0.4, 0.5)), 1.0)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    state["events"] = 1
+    for least in (0.0, 5.0, 40.0):
+        state["bin_least"] = least
+        assert open_bins(state, balls, flights, heads)
+        width = side_of(state, int(flights["level"][:60].max()))
+        assert width >= least
+        state["bin_filings"], state["bin_predictions"], state["bin_tests"] = filings, predictions, tests
+        if factor is None or (factor < 1.0 and least == 0.0):
+            assert not fit_bins(state)
+            assert state["bin_least"] == least
+            continue
+        state["events"] = 2
+        assert not fit_bins(state)
+        state["events"] = 1
+        assert fit_bins(state)
+        assert state["bin_least"] == (factor * max(least, width) if factor > 1.0 else factor * least)
+        # What was done is told from here on anew.
+        assert not fit_bins(state)
+        assert open_bins(state, balls, flights, heads)
+        assert side_of(state, int(flights["level"][:60].max())) >= state["bin_least"]

@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 
 import carom
-from carom.rows.flight import CLEAR, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
+from carom.constants import FINEST_LEVEL
+from carom.rows.flight import CLEAR, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
 from carom.rows.kinds_in_motion import impact_at_rest
 from carom.rows.relation import LASTING, PASSING
+from carom.world.kernels.continuous.bins import file_ball, open_bins, side_of, unfile_ball
 from carom.world.kernels.continuous.flight import event_age, path_of
-from carom.world.kernels.continuous.predict import predict
+from carom.world.kernels.continuous.predict import file_anew, predict
+from carom.world.kernels.continuous.queue import open_queue
 from carom.world.kernels.continuous.surfaces import impact_in_motion
 from carom.world.kernels.step.relations import add_relation
 from carom.world.tables import Arrays
@@ -208,3 +211,25 @@ def test_what_a_ball_passes_or_rests_on_is_no_impact_but_its_end_is_foreseen(kin
     assert (found[0], found[3]) == (event, 0)
     # A ball leaves what it rests on when its centre is past the end, and is clear of what it passed with its whole.
     assert found[1] == pytest.approx(0.25 if event == LEAVE else 0.65, abs=1e-8)
+
+
+def test_a_ball_that_is_filed_under_a_wider_level_asks_all_who_are_near_there() -> None:
+    world = continuous_world(*[carom.Ball((3.0 * k, -1.5), 0.5) for k in range(20)])
+    world.add(carom.Ball((0.0, 0.0), 0.5, velocity=(1.0, 0.0)), carom.Ball((900.0, 0.0), 0.5, velocity=(-1.0, 0.0)))
+    arrays = in_flight(world)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    assert open_bins(state, balls, flights, heads)
+    open_queue(state, arrays.queue)
+    near, far = 20, 21
+    # The one has flown far; so has the other when it comes to the next cell.
+    unfile_ball(state, flights, heads, far)
+    file_ball(state, balls, flights, heads, far, 0.0, FINEST_LEVEL + 1)
+    flights[near]["filings"] = 1000
+    look_at(arrays, 1.3 * side_of(state, int(flights[near]["level"])))
+    # The cell that it comes from has nearly the same numbers as the other one's, but of another level.
+    assert max(abs(int(flights[near][name]) - int(flights[far][name])) for name in ("column", "line")) <= 1
+    flights[[near, far]]["event"] = NOTHING
+    file_anew(state, balls, *film_tables(arrays)[:3], heads, flights, arrays.relations, arrays.queue, near)
+    assert flights[near]["level"] == FINEST_LEVEL + 1
+    assert foreseen(arrays, near)[0] == HIT_BALL
+    assert flights[near]["partner"] == far

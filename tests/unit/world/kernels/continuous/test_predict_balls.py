@@ -9,7 +9,7 @@ from carom import World
 from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, HIT_BALL, NOTHING
 from carom.rows.tables import Rows
-from carom.world.kernels.continuous.bins import file_ball, open_bins, time_filed, unfile_ball
+from carom.world.kernels.continuous.bins import file_ball, open_bins, own_level, time_filed, unfile_ball
 from carom.world.kernels.continuous.flight import consider, event_age, place_after
 from carom.world.kernels.continuous.predict_balls import (
     may_near,
@@ -131,7 +131,7 @@ def test_who_is_filed_anew_asks_those_who_were_not_near_before(seed: int) -> Non
         column, line = int(flights[i]["column"]), int(flights[i]["line"])
         before = foresee(arrays, i, heads)
         unfile_ball(state, flights, heads, i)
-        file_ball(state, balls, flights, heads, i, SPAN)
+        file_ball(state, balls, flights, heads, i, SPAN, own_level(state, balls[i]))
         everyone = foresee(arrays, i, heads)
         flights[i]["event"] = NOTHING
         tables = heads, flights, arrays.relations
