@@ -1,21 +1,25 @@
 """The continuous mode: impacts a second of a billiard ball, and the first example of python-billiards."""
 
 import importlib.util
+from dataclasses import replace
+from functools import partial
 from math import pi
 from statistics import median
 from time import process_time
 
 import carom
-from benchmarks.common import Figure
-from benchmarks.engines import CONTINUOUS
+from benchmarks.common import Figure, race
+from benchmarks.engines import CONTINUOUS, continuous
+from benchmarks.gas import gas
 
-TITLE = "Continuous mode: impacts inside run, and the first example of python-billiards"
+TITLE = "Continuous mode: impacts inside run, long flights, and the first example of python-billiards"
 STEP = 120.0  # seconds: the ball meets a wall about 114 times in it
 
 
 def run(quick: bool) -> list[Figure]:
-    """Microseconds an impact, and seconds of Galperin's billiard."""
-    return [in_the_stadium(20 if quick else 100), *galperin(3 if quick else 5)]
+    """Microseconds an impact, a step of balls that fly far, and seconds of Galperin's billiard."""
+    thin = [in_thin_gas(500 if quick else 10_000, filled) for filled in (1e-2, 1e-4, 1e-6)]
+    return [in_the_stadium(20 if quick else 100), *thin, far_away(1e7), far_away(1e12), *galperin(3 if quick else 5)]
 
 
 def in_the_stadium(steps: int) -> Figure:
@@ -31,6 +35,22 @@ def in_the_stadium(steps: int) -> Figure:
     each = median(times)
     remarks = {"impacts a second": f"{1.0 / each:,.0f}", "impacts a step": f"{median(counts) / steps:.0f}"}
     return Figure("stadium, one ball, inside run", CONTINUOUS, 1e6 * each, "µs an impact", None, remarks)
+
+
+def in_thin_gas(balls: int, filled: float) -> Figure:
+    """Milliseconds of a step, in which a ball flies ten radii, once the cells are fitted to the gas."""
+    setup = gas(balls, filled)
+    step = continuous(replace(setup, velocity=40.0 * setup.velocity)).step
+    race({"": step}, rounds=1, calls_each=200)
+    return race({"": step}, rounds=100)[""].figure(f"{balls:,} balls, {filled:g} filled", CONTINUOUS, 1e3, "ms a step")
+
+
+def far_away(speed: float) -> Figure:
+    """Microseconds of a step of 1/60 s of a ball that flies off from seven others at so many radii a second."""
+    world = carom.World()
+    world.add(carom.Ball((-3, 0), 1, velocity=(-speed, 0)), *[carom.Ball((3 * k, 0), 1) for k in range(7)])
+    seconds = race({"": partial(world.step, 1 / 60)}, rounds=100)[""]
+    return seconds.figure(f"one of eight balls at {speed:g} radii a second", CONTINUOUS, 1e6, "µs a step")
 
 
 def galperin(digits: int) -> list[Figure]:

@@ -12,9 +12,9 @@ AREA_FRACTION = 0.20
 TIME_STEP = 1.0 / 60.0
 
 
-def gas(balls: int) -> Setup:
-    """A gas of `balls` balls in a square box."""
-    side = RADIUS * sqrt(pi * balls / AREA_FRACTION)
+def gas(balls: int, filled: float = AREA_FRACTION) -> Setup:
+    """A gas of `balls` balls in a square box, so much of which is filled."""
+    side = RADIUS * sqrt(pi * balls / filled)
     columns = ceil(sqrt(balls))
     position = scattered(columns, columns, side / columns, RADIUS, seed=1)[:balls]
     velocity = all_directions(balls, 0.25 * RADIUS / TIME_STEP, seed=2)
