@@ -1,7 +1,7 @@
 """Sensors in the continuous mode: a ball that crosses one within a step gives ENTER and EXIT, each at its time."""
 
 from copy import deepcopy
-from math import asin, pi, sqrt
+from math import asin, cos, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ import pytest
 
 from carom import Arc, Ball, Circle, HitKind, Point, Segment, World
 from carom.shapes.shape import Shape
+from tests.clock import within
 
 SPEED, RADIUS, WIDE, OFF = 40.0, 0.25, 2.0, 0.1
 OUTER, INNER = sqrt((WIDE + RADIUS) ** 2 - OFF**2), sqrt((WIDE - RADIUS) ** 2 - OFF**2)
@@ -142,3 +143,36 @@ def test_hits_come_in_order_of_time() -> None:
     for pair in {(int(h["ball"]), int(h["shape"])) for h in sensing}:
         kinds = sensing["kind"][(sensing["ball"] == pair[0]) & (sensing["shape"] == pair[1])]
         assert (kinds[1:] != kinds[:-1]).all()
+
+
+def ring_with_sensors(seed: int) -> World:
+    """Balls that lose all at impacts and slide round a ring, through sensors that lie anywhere near it."""
+    random = np.random.default_rng(seed)
+    world = World(gravity=(0.0, -1.0), friction=2.0)
+    world.add(Circle((0, 0), 6.0))
+    for _ in range(30):
+        angle, way = random.uniform(0, 2 * pi), random.uniform(-2, 2, 2)
+        start = random.uniform(4.5, 6.0) * np.array([cos(angle), sin(angle)])
+        world.add(Segment(start.tolist(), (start + way).tolist(), sensor=True))
+    for angle in 0.9 * np.arange(7):
+        speed = random.uniform(0, 25) * random.choice([1, 1, 1, -1])
+        place, velocity = (5.4 * cos(angle), 5.4 * sin(angle)), (-speed * sin(angle), speed * cos(angle))
+        world.add(Ball(place, 0.5, velocity=velocity, elasticity=0.0, mass=float(random.choice([1, 2, 100]))))
+    return world
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", range(30))
+def test_balls_that_slide_over_the_ends_of_sensors_go_on(seed: int) -> None:
+    world, crossings = ring_with_sensors(seed), 0
+    inside: set[tuple[int, int]] = set()
+    for _ in range(8):
+        with within(60.0):
+            hits = world.step(0.25)
+        for hit in hits:
+            if hit.kind != HitKind.BOUNCE:
+                # Who comes in was not inside, and who leaves was.
+                assert (hit.kind == HitKind.EXIT) == ((hit.ball.id, hit.shape.id) in inside)
+                inside ^= {(hit.ball.id, hit.shape.id)}
+                crossings += 1
+    assert crossings > 20

@@ -78,12 +78,11 @@ def predict_change(
     event: int,
 ) -> None:
     """Foresee when the answer to a question becomes what is wanted, or a look from farther along."""
-    if age == 0.0 and not wanted and not answer(ball, flight, shape, question, 0.0, SEPARATION_SLACK):
-        # It was put elsewhere; what has begun by touching is there, whatever the rounding of its place.
-        consider(flight, 0.0, event, row)
-        return
     speed, pull = sight_speed(ball, flight, shape)
     way = LOOK_TRAVEL * float(ball["radius"])
+    if age == 0.0 and not wanted and not is_there(ball, flight, shape, question, speed, pull):
+        consider(flight, 0.0, event, row)
+        return
     if time_to_go(speed, pull, way) == inf:
         return
     # The number of ways gone at this age, so that looks are where they would be from anywhere.
@@ -104,6 +103,20 @@ def predict_change(
             number += clear
             begin = time_to_go(speed, pull, number * way)
     consider(flight, begin, LOOK, NO_BALL)
+
+
+def is_there(
+    ball: BallRow, flight: FlightRow, shape: ShapeRow, question: int, speed: float, pull: float
+) -> bool:  # fmt: skip
+    """False where a ball that was on a shape is not as its flight begins, because it was put elsewhere.
+
+    What has begun by touching is there, whatever the rounding of its place, and so is what came past an end and is put
+    back before that by rounding: it is there when it has gone a way that is hardly more than that.
+    """
+    if answer(ball, flight, shape, question, 0.0, SEPARATION_SLACK):
+        return True
+    soon = time_to_go(speed, pull, SEPARATION_SLACK * float(ball["radius"]))
+    return soon < inf and answer(ball, flight, shape, question, soon, SEPARATION_SLACK)
 
 
 def looks_clear(ball: BallRow, flight: FlightRow, shape: ShapeRow, age: float, way: float) -> float:
