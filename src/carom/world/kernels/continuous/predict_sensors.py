@@ -89,7 +89,7 @@ def predict_change(
     number = 1.0 * floor((speed + 0.5 * pull * age) * age / way)
     begin = time_to_go(speed, pull, number * way) if number > 0.0 else 0.0
     for _ in range(SENSOR_LOOKS):
-        if begin > event_age(flight):
+        if begin > event_age(flight) or begin == inf:
             return
         number += 1.0
         end = time_to_go(speed, pull, number * way)
