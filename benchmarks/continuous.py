@@ -1,4 +1,4 @@
-"""The continuous mode: impacts a second of a billiard ball, and the first example of python-billiards."""
+"""The continuous mode: impacts a second of a billiard ball, long flights, the first example of python-billiards."""
 
 import importlib.util
 from dataclasses import replace

@@ -75,14 +75,13 @@ def thin_gas(seed: int, radius: float) -> World:
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("radius", [0.1, 0.01, 1e-4])
+@pytest.mark.parametrize("radius", [0.1, 0.01])
 def test_cells_become_as_wide_as_pays_in_a_thin_gas(radius: float) -> None:
     world = thin_gas(1, radius)
     state = world._arrays.states[0]
     for _ in range(40):
         world.step(1.0)
-    before = {name: int(state[name]) for name in ("bin_filings", "bin_predictions", "bin_tests")}
-    world.step(1.0)
-    filings, predictions, tests = (int(state[name]) - count for name, count in before.items())
-    if filings > 0:
-        assert filings < 2 * FILINGS_MOST * predictions or tests > 0.5 * TESTS_LEAST * filings
+    # Since it was asked last whether they are.
+    filings, predictions, tests = (int(state[name]) for name in ("bin_filings", "bin_predictions", "bin_tests"))
+    assert predictions > 0
+    assert filings < 2 * FILINGS_MOST * predictions or tests > 0.5 * TESTS_LEAST * filings

@@ -12,7 +12,6 @@ from carom.rows.flight import NO_BALL
 from carom.rows.tables import Rows
 from carom.world.kernels.continuous.bins import (
     FILINGS_IN_A_ROW,
-    FITTING_AFTER,
     TESTS_MOST,
     WIDEST,
     WIDEST_LEVEL,
@@ -225,7 +224,6 @@ def test_a_ball_is_filed_under_a_wider_level_after_so_many_cells_in_a_row_and_un
     ],
 )
 def test_cells_are_fitted_to_what_was_done(filings: int, predictions: int, tests: int, factor: float | None) -> None:
-    assert FITTING_AFTER * 60 > 30
     arrays = in_flight(crowd(1, (0.4, 0.5)), 1.0)
     state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
     state["events"] = 1
