@@ -10,6 +10,7 @@ import pytest
 from carom import Arc, Ball, Circle, HitKind, Point, Segment, World
 from carom.shapes.shape import Shape
 from tests.clock import within
+from tests.worlds import box
 
 SPEED, RADIUS, WIDE, OFF = 40.0, 0.25, 2.0, 0.1
 OUTER, INNER = sqrt((WIDE + RADIUS) ** 2 - OFF**2), sqrt((WIDE - RADIUS) ** 2 - OFF**2)
@@ -176,3 +177,52 @@ def test_balls_that_slide_over_the_ends_of_sensors_go_on(seed: int) -> None:
                 inside ^= {(hit.ball.id, hit.shape.id)}
                 crossings += 1
     assert crossings > 20
+
+
+def grazing(seed: int) -> World:
+    """A ball that comes as near to another one, which is a sensor, as to touch it, but for rounding."""
+    random = np.random.default_rng(seed)
+    ux, uy = [(0.6, 0.8), (0.8, -0.6), (1.0, 0.0), (0.0, 1.0), (-5 / 13, 12 / 13)][int(random.integers(5))]
+    radii = random.choice([0.25, 0.5, 0.625, 1.0], 2).tolist()
+    aside = sum(radii) * float(random.choice([-1, 1]))
+    before = float(random.choice([1.0, 2.0, 3.5]))
+    x, y = random.integers(-40, 40, 2) / 8.0 if random.random() < 0.5 else random.uniform(-9, 9, 2)
+    vx, vy = random.integers(-3, 4, 2) if random.random() < 0.5 else random.uniform(-9, 9, 2)
+    speed = float(random.choice([1.0, 3.0, 5.0]))
+    world = World(gravity=[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0)][int(random.integers(3))])
+    world.add(Ball((x, y), radii[0], velocity=(vx, vy), sensor=True))
+    place = x - aside * uy - before * ux, y + aside * ux - before * uy
+    world.add(Ball(place, radii[1], velocity=(vx + speed * ux, vy + speed * uy)))
+    return world
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("first", range(0, 2000, 500))
+def test_a_ball_that_grazes_a_sensor_comes_in_and_out_once_or_not_at_all(first: int) -> None:
+    touched = 0
+    for seed in range(first, first + 500):
+        with within(20.0):
+            hits = grazing(seed).run(4.0, dt=0.25 if seed % 2 else 0.3)
+        assert [hit.kind for hit in hits] in ([], [HitKind.ENTER, HitKind.EXIT]), seed
+        touched += len(hits) > 0
+    assert 50 < touched < 450
+
+
+def round_numbers(seed: int) -> World:
+    """Elastic balls of places, sizes and velocities that are round, many of them sensors: much happens at one time."""
+    random = np.random.default_rng(seed)
+    world = World(gravity=[(0.0, 0.0), (0.0, -4.0), (3.0, -4.0)][int(random.integers(3))])
+    world.add(*box(8.0, 6.0))
+    for _ in range(12):
+        place = float(random.integers(2, 29)) / 4, float(random.integers(2, 21)) / 4
+        radius, sensor = float(random.choice([0.5, 0.25])), bool(random.random() < 0.4)
+        world.add(Ball(place, radius, velocity=random.integers(-3, 4, 2).tolist(), sensor=sensor))
+    return world
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", [*range(20), 1290, 2969])
+def test_sensors_end_a_step_whatever_touches_at_once(seed: int) -> None:
+    with within(20.0):
+        hits = round_numbers(seed).run(2.0, dt=1 / 32)
+    assert sum(hit.kind != HitKind.BOUNCE for hit in hits) < 300

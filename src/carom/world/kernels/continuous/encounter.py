@@ -127,16 +127,19 @@ def bounce(
     ux, uy = surface_velocity(shape, float(shape["spin"]), px, py, time)
     s = dot(vx - ux, vy - uy, nx, ny)
     elasticity = float(ball["elasticity"]) * float(shape["elasticity"])
-    count_impact(ball, flight, elasticity, max(-s, 0.0), -gap if is_moving(shape) else 0.0)
+    kick = float(shape["kick"])
+    # What others press on a shape that has got a kick since they lie on it does not even approach.
+    approach = -s if s < 0.0 else kick
+    count_impact(ball, flight, elasticity, approach, -gap if is_moving(shape) else 0.0)
     tired = is_tired(flight, elasticity, lies(relations, ball))
     elasticity = 0.0 if tired else elasticity
     state["held"] += 1 if tired and s < 0.0 else 0
-    kick = float(shape["kick"])
-    # What others press on a shape that has got a kick since they lie on it does not even approach.
+    # Kicks too would come without end.
+    kick = 0.0 if tired else kick
     strikes = s < 0.0 or (kick != 0.0 and s == 0.0)
     lasting = slow_rebound(state, shape, ball, flight, nx, ny, elasticity) if kick == 0.0 else 0.0
     slowest = lasting if rest_speed < 0.0 or lasting == 0.0 else rest_speed
-    if tired and kick == 0.0 and (lasting > 0.0 or lies(relations, ball)):
+    if tired and (lasting > 0.0 or lies(relations, ball)):
         # Of an island even what nothing presses on, or balls between two heavy ones would go to and fro for long.
         lasting, slowest = max(lasting, LEAST_SQUARE), inf
     if s < 0.0 and -s <= JOINT_TURN * length(vx - ux, vy - uy) and has_kind(relations, ball, LASTING):
@@ -151,7 +154,8 @@ def bounce(
             ball["vx"] = vx - s * nx
             ball["vy"] = vy - s * ny
         else:
-            rebound_off(state, ball, shapes, row, time, hits, (px, py, nx, ny, max(-gap, 0.0)), (ux, uy), elasticity)
+            touch, surface = (px, py, nx, ny, max(-gap, 0.0)), (ux, uy)
+            rebound_off(state, ball, shapes, row, time, hits, touch, surface, elasticity, kick)
     u = dot(float(ball["vx"]) - ux, float(ball["vy"]) - uy, nx, ny)
     if lasting > 0.0 and u <= slowest:
         ball["vx"] -= u * nx
@@ -180,6 +184,7 @@ def rebound_off(
     touch: tuple[float, float, float, float, float],
     surface: tuple[float, float],
     elasticity: float,
+    kick: float,
 ) -> None:
     """Give a ball the velocity with which it leaves a shape whose surface moves so at the touch, and record the hit."""
     shape = shapes[row]
@@ -188,7 +193,7 @@ def rebound_off(
     vx, vy = float(ball["vx"]), float(ball["vy"])
     mx, my = long_normal(ball, shape, time, nx, ny)
     total = state["total_restitution"] != 0
-    new_x, new_y, gain = rebounded(vx, vy, ux, uy, mx, my, elasticity, float(shape["kick"]), total)
+    new_x, new_y, gain = rebounded(vx, vy, ux, uy, mx, my, elasticity, kick, total)
     ball["vx"] = new_x
     ball["vy"] = new_y
     limit_speed(state, ball)
@@ -338,7 +343,9 @@ def impact_of_balls(
     gain = exchange(first, second, u1, u2, nx, ny, elasticity)
     if u1 - u2 <= slowest:
         return pushed
-    limit_speeds(state, first, second, nx, ny)
+    if not tired:
+        # A third one may push the two on, without end, to what is more than allowed.
+        limit_speeds(state, first, second, nx, ny)
     px, py = float(first["x"]) + float(first["radius"]) * nx, float(first["y"]) + float(first["radius"]) * ny
     speed = length(wx - vx, wy - vy)
     touch = (px, py, nx, ny, setback)

@@ -214,7 +214,8 @@ def fill_shapes(
             contact["shape"] = row
             elasticity = float(balls[i]["elasticity"]) * float(shapes[row]["elasticity"])
             contact["elasticity"] = 0.0 if is_crowded(flights[i]) else elasticity
-            ends = not (may_hold(balls[i], shapes[row]) and find_surface(state, bodies[k], shapes[row], contact))
+            held = may_hold(balls[i], flights[i], shapes[row], True)
+            ends = not (held and find_surface(state, bodies[k], shapes[row], contact))
             found += 0 if ends else 1
         if ends:
             place = drop_relation(state, relations, balls[i], place, before)

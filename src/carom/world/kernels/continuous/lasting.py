@@ -30,7 +30,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Row, Table
 from carom.world.kernels.continuous.filling import drops_out, fills_bend, settle_in_bend
-from carom.world.kernels.continuous.flight import add_friction, fall_freely, friction_of
+from carom.world.kernels.continuous.flight import add_friction, fall_freely, friction_of, is_tired
 from carom.world.kernels.continuous.surfaces import (
     age_of_motion,
     center_of_bend,
@@ -234,9 +234,11 @@ def is_walked_over(
 ) -> bool:
     """True for a point on the wall that holds a ball: rounding alone would find it in the way before that ends.
 
-    Balls that lie on others keep to a wall less closely, and may come onto its point before.
+    Balls that lie on others keep to a wall less closely, and may come onto its point before; not ever anew.
     """
-    if has_side(shape["kind"]) or ball["relation"] == NO_RELATION or has_kind(relations, ball, LYING):
+    if has_side(shape["kind"]) or ball["relation"] == NO_RELATION:
+        return False
+    if has_kind(relations, ball, LYING) and not is_tired(flight, 0.0, False):
         return False
     return is_on_wall_of(ball, flight, shape, shapes, relations)
 
@@ -277,14 +279,21 @@ def held_by(ball: BallRow, flight: FlightRow, shape: ShapeRow, gx: float, gy: fl
     return gx + push * nx, gy + push * ny
 
 
-def may_hold(ball: BallRow, shape: ShapeRow) -> bool:
-    """True unless a shape lets a ball through, or has a kick, be it since the ball lies on it: that throws it off."""
-    return may_collide(ball, shape) and bool(shape["kick"] == 0.0)
+def may_hold(ball: BallRow, flight: FlightRow, shape: ShapeRow, in_heap: bool) -> bool:
+    """True unless a shape lets a ball through, or has a kick, be it since the ball lies on it: that throws it off.
+
+    It does not where the ball's impacts are too close on one another to be told apart.
+    """
+    if not may_collide(ball, shape):
+        return False
+    return bool(shape["kick"] == 0.0) or is_tired(
+        flight, float(ball["elasticity"]) * float(shape["elasticity"]), in_heap
+    )
 
 
 def holds(ball: BallRow, flight: FlightRow, shape: ShapeRow, changed: bool, ax: float, ay: float) -> bool:
     """True if a lasting contact goes on: it is closed and pressed, and no impact throws the ball off or in."""
-    if not may_hold(ball, shape):
+    if not may_hold(ball, flight, shape, False):
         return False
     time = age_of_motion(shape, flight)
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])

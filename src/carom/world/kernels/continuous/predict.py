@@ -36,6 +36,7 @@ from carom.world.kernels.continuous.queue import open_queue, put_event, row_of, 
 from carom.world.kernels.continuous.rest import predict_rest
 from carom.world.kernels.continuous.sliding import only_holder, slide_time
 from carom.world.kernels.continuous.straying import is_out, predict_stray
+from carom.world.kernels.step.relations import find_relation
 
 
 def predict_all(
@@ -91,7 +92,8 @@ def predict(
     """Find what comes next for ball `i` from now on and put it into the queue, or take the ball out if nothing does."""
     if state["binned"] != 0 and not is_out(state, balls[i]):
         note_course(state, balls[i], flights[i])
-        keep_filed(state, balls, flights, heads, i)
+        if not keep_filed(state, balls, flights, heads, i):
+            predict_parting_far(state, balls, flights, relations, queue, i)
     else:
         never_filed_anew(flights[i])
     predict_own(state, balls, flights, shapes, relations, i)
@@ -123,8 +125,11 @@ def predict_rest_of(
 
 def keep_filed(
     state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], heads: Table[int], i: int
-) -> None:  # fmt: skip
-    """File a ball anew that an event has moved out of where it may be, and foresee when it may leave that."""
+) -> bool:  # fmt: skip
+    """File a ball anew that an event has moved out of where it may be, and foresee when it may leave that.
+
+    True if it stays near those that it was near.
+    """
     flight = flights[i]
     age = age_now(state, flight)
     wait = time_filed(state, balls[i], flight, age)
@@ -133,8 +138,28 @@ def keep_filed(
     if wait < 0.0 or flight["level"] > FINEST_LEVEL:
         unfile_ball(state, flights, heads, i)
         file_ball(state, balls, flights, heads, i, age, own_level(state, balls[i]))
-        wait = time_filed(state, balls[i], flight, age)
+        note_filing(flight, age, time_filed(state, balls[i], flight, age))
+        return wait >= 0.0
     note_filing(flight, age, wait)
+    return True
+
+
+def predict_parting_far(
+    state: StateRow,
+    balls: Table[BallRow],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    queue: Table[QueueRow],
+    i: int,
+) -> None:
+    """Foresee that ball `i`, which was put elsewhere, parts from those whose rows tell that one is inside the other.
+
+    They are near it no more, and would not be asked.
+    """
+    for j in range(i + 1, state["balls"]):
+        if balls[j]["relation"] != NO_RELATION and find_relation(relations, balls[j], INSIDE_BALL, i):
+            predict_leaving(state, balls, flights, j, i)
+            queue_up(state, flights, queue, j)
 
 
 def file_anew(

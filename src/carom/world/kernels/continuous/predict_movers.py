@@ -21,6 +21,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.continuous.flight import consider, event_age, path_at, path_box, path_of, time_to_go
+from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion
@@ -49,6 +50,8 @@ def predict_movers(
         row = row_of(members[k])
         shape = shapes[row]
         if not is_moving(shape) or is_related(relations, ball, row):
+            continue
+        if is_walked_over(ball, flight, shape, shapes, relations):
             continue
         if shape["velocity_x"] == 0.0 and shape["velocity_y"] == 0.0:
             # It does not leave the circle about its pivot.

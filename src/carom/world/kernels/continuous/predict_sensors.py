@@ -12,8 +12,8 @@ from math import fabs, floor, inf, sqrt
 from carom.constants import INDEX_MARGIN, LOOK_TRAVEL, ROOT_STEPS, SENSOR_LOOKS, SEPARATION_SLACK, SWEEP_ROUNDING
 from carom.geometry.impact import impact_disc
 from carom.geometry.instants import is_before, later, seconds_since
-from carom.geometry.path import Path, path_from, place_on
-from carom.geometry.vector import length
+from carom.geometry.path import Path, path_after, path_from, place_on
+from carom.geometry.vector import dot, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import CLEAR, EXIT_BALL, EXIT_SHAPE, FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds_near import distance_to_shape
@@ -85,8 +85,7 @@ def predict_change(
         return
     if time_to_go(speed, pull, way) == inf:
         return
-    # The number of ways gone at this age, so that looks are where they would be from anywhere.
-    number = 1.0 * floor((speed + 0.5 * pull * age) * age / way)
+    number = looks_behind(speed, pull, age, way)
     begin = time_to_go(speed, pull, number * way) if number > 0.0 else 0.0
     for _ in range(SENSOR_LOOKS):
         if begin > event_age(flight) or begin == inf:
@@ -209,24 +208,32 @@ def predict_parting(
         return consider_at(flight, begin, begin_low, EXIT_BALL, row)
     if time_to_go(speed, pull, way) == inf:
         return False
-    number = 1.0 * floor((speed + 0.5 * pull * age) * age / way)
+    number = looks_behind(speed, pull, age, way)
     before = time_to_go(speed, pull, number * way) if number > 0.0 else 0.0
     while True:
         number += 1.0
         after = time_to_go(speed, pull, number * way)
         if after == inf:
             return False
-        if is_apart(apart, after, reach):
+        if has_parted(apart, after, reach):
             break
         before = after
     for _ in range(ROOT_STEPS):
         middle = 0.5 * (before + after)
-        if is_apart(apart, middle, reach):
+        if has_parted(apart, middle, reach):
             after = middle
         else:
             before = middle
     found, found_low = later(begin, begin_low, max(after, age))
     return consider_at(flight, found, found_low, EXIT_BALL, row)
+
+
+def looks_behind(speed: float, pull: float, age: float, way: float) -> float:
+    """The number of ways surely gone at an age, so that looks are where they would be from anywhere.
+
+    One less than are gone: what comes at the very look where it is foreseen anew was found before that.
+    """
+    return max(1.0 * floor((speed + 0.5 * pull * age) * age / way) - 1.0, 0.0)
 
 
 def path_after_age(ball: BallRow, flight: FlightRow, age: float) -> tuple[float, float, float, float, float, float]:
@@ -240,3 +247,16 @@ def is_apart(path: Path, age: float, reach: float) -> bool:
     """True if what is on a path is no nearer than `reach` to the origin at an age."""
     x, y = place_on(path, age)
     return x * x + y * y >= reach * reach
+
+
+def has_parted(path: Path, age: float, reach: float) -> bool:
+    """True if what is on a path is no nearer than `reach` to the origin at an age, and goes on away from it.
+
+    Two that all but pass each other by may touch and be apart by rounding while they still approach; taken for parted
+    they would touch anew, without end.
+    """
+    x, y, vx, vy, _gx, _gy = path_after(path, age)
+    away = x * x + y * y
+    if dot(x, y, vx, vy) < 0.0:
+        reach += SEPARATION_SLACK * reach
+    return away >= reach * reach

@@ -8,13 +8,13 @@ import pytest
 
 import carom
 from carom.constants import FINEST_LEVEL
-from carom.rows.flight import CLEAR, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
+from carom.rows.flight import CLEAR, EXIT_BALL, HIT_BALL, HIT_SHAPE, LEAVE, LOOK, NO_BALL, NOTHING
 from carom.rows.kinds_in_motion import impact_at_rest
-from carom.rows.relation import LASTING, PASSING
+from carom.rows.relation import INSIDE_BALL, LASTING, PASSING
 from carom.world.kernels.continuous.bins import file_ball, open_bins, side_of, unfile_ball
 from carom.world.kernels.continuous.flight import event_age, path_of
 from carom.world.kernels.continuous.predict import file_anew, predict
-from carom.world.kernels.continuous.queue import open_queue
+from carom.world.kernels.continuous.queue import front_of, open_queue
 from carom.world.kernels.continuous.surfaces import impact_in_motion
 from carom.world.kernels.step.relations import add_relation
 from carom.world.tables import Arrays
@@ -233,3 +233,24 @@ def test_a_ball_that_is_filed_under_a_wider_level_asks_all_who_are_near_there() 
     assert flights[near]["level"] == FINEST_LEVEL + 1
     assert foreseen(arrays, near)[0] == HIT_BALL
     assert flights[near]["partner"] == far
+
+
+@pytest.mark.parametrize("put", [7.0, -40.0])
+def test_who_has_a_ball_inside_that_is_put_far_away_foresees_at_once_that_it_has_left(put: float) -> None:
+    world = continuous_world(carom.Ball((0.1, 0.0), 0.5), carom.Ball((0.0, 0.0), 0.5, sensor=True))
+    world.add(*[carom.Ball((3.0 * k, 3.0), 0.5) for k in range(9)])
+    arrays = in_flight(world)
+    state, balls, flights, heads = arrays.states[0], arrays.balls.rows, arrays.flights, np.zeros(4096, "i4")
+    inner, outer = 0, 1
+    add_relation(state, arrays.relations, balls[outer], outer, INSIDE_BALL, inner)
+    assert open_bins(state, balls, flights, heads)
+    open_queue(state, arrays.queue)
+    flights[outer]["event"] = NOTHING
+    balls[inner]["x"] = put
+    flights[inner]["version"] += 1
+    tables = *film_tables(arrays), heads, arrays.relations, flights, arrays.queue
+    predict(state, balls, *tables, inner)
+    assert foreseen(arrays, outer)[0] == EXIT_BALL
+    assert (flights[outer]["event_time"], flights[outer]["partner"]) == (0.0, inner)
+    # It is the next event of all.
+    assert front_of(state, flights, arrays.queue) == outer

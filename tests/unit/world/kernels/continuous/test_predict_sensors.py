@@ -1,7 +1,8 @@
 """Sensors: when a ball comes onto one past its end, leaves it, or comes off what it passed."""
 
 from copy import copy
-from math import cos, inf, pi, sin, sqrt
+from math import cos, floor, inf, nextafter, pi, sin, sqrt
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -218,3 +219,25 @@ def test_balls_that_go_together_do_not_part() -> None:
     rows = arrays.balls.rows[0], arrays.flights[0], arrays.balls.rows[1], arrays.flights[1]
     assert not predict_parting(*rows, 1, 0.0, 0.0)
     assert place_after(rows[0], rows[1], 2.0) == (6, 8, 3, 4)
+
+
+@pytest.mark.parametrize("first", range(0, 600, 200))
+def test_from_the_very_time_at_which_balls_part_the_same_is_foreseen(first: int) -> None:
+    for seed in range(first, first + 200):
+        random = Random(seed)
+        place, velocity = (
+            [random.randrange(-4, 5) / 16.0 for _ in range(2)],
+            [random.randrange(-3, 4) for _ in range(2)],
+        )
+        world = continuous_world(gravity=random.choice([(0.0, 0.0), (0.0, -4.0), (3.0, -4.0)]))
+        world.add(Ball((0, 0), 0.25, sensor=True, velocity=(random.randrange(-3, 4), 0)))
+        world.add(Ball(place, random.choice([0.25, 0.5]), velocity=velocity))
+        arrays = in_flight(world)
+        rows = arrays.balls.rows[0], arrays.flights[0], arrays.balls.rows[1], arrays.flights[1]
+        if not predict_parting(*rows, 1, 0.0, 0.0):
+            continue
+        time, low = float(rows[1]["event_time"]), float(rows[1]["event_low"])
+        for age in (time, nextafter(time, 0.0), floor(16.0 * time) / 16.0):
+            rows[1]["event"] = NOTHING
+            assert predict_parting(*rows, 1, age, 0.0)
+            assert (rows[1]["event_time"], rows[1]["event_low"]) == (time, low), (seed, age)
