@@ -195,6 +195,16 @@ def is_moving(shape: ShapeRow) -> bool:
     return bool(shape["spin"] != 0.0 or shape["velocity_x"] != 0.0 or shape["velocity_y"] != 0.0)
 
 
+def moves_with(shape: ShapeRow, other: ShapeRow) -> bool:
+    """True of two shapes that move, and as one, such as the parts of a compound."""
+    if not is_moving(shape) or shape["spin"] != other["spin"]:
+        return False
+    if shape["velocity_x"] != other["velocity_x"] or shape["velocity_y"] != other["velocity_y"]:
+        return False
+    same_pivot = shape["pivot_x"] == other["pivot_x"] and shape["pivot_y"] == other["pivot_y"]
+    return bool(shape["spin"] == 0.0 or same_pivot)
+
+
 def is_at_rest(shape: ShapeRow) -> bool:
     """True if a substep would leave a kinematic shape as it is, bit for bit."""
     x, y = float(shape["pivot_x"]), float(shape["pivot_y"])

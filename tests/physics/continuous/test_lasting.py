@@ -4,6 +4,7 @@ from copy import deepcopy
 from functools import partial
 from itertools import pairwise
 from math import cos, hypot, pi, sin, sqrt
+from typing import Any
 
 import numpy as np
 import pytest
@@ -326,4 +327,27 @@ def test_what_gets_a_kick_throws_off_what_lies_on_it(floor: Shape, balls: int) -
     assert world.balls.velocity[:, 1].sum() == pytest.approx(5.0 - balls * G / 1024, abs=0.02)
     world.step(1 / 64)
     assert (world.balls.position[:, 1] >= heights - 1e-6).all()
+    assert world.statistics.squeezed == 0
+
+
+@pytest.mark.parametrize("lying", [0, 1, 2])
+@pytest.mark.parametrize("elasticity", [0.0, 0.5])
+@pytest.mark.parametrize("wall", [0.0, -1.0])
+@pytest.mark.parametrize("pin", [0.0, 0.001, -0.2, 0.5])
+def test_a_pin_that_comes_through_what_carries_a_ball_lifts_it(
+    pin: float, wall: float, elasticity: float, lying: int
+) -> None:
+    options: dict[str, Any] = {"elasticity": 0.5, "motion": "kinematic"}
+    world = falling_world(Segment((-2, 0), (2, 0), velocity=(0, wall), **options))
+    lane = [Segment((x, -9), (x, 9), elasticity=0.5) for x in (-0.5, 0.5)]
+    world.add(*lane, *[Ball((0, 0.5 + place), 0.5, elasticity=elasticity) for place in range(lying + 1)])
+    world.run(0.25)
+    # It begins a little below the wall, and is a little above it after a second.
+    sharp = world.add(Point((0, 0.25 * wall - 0.5 * (pin - wall)), velocity=(0, pin), **options))
+    world.run(1.25)
+    floor = world.shapes[0]
+    assert sharp.position[1] - floor.start[1] == pytest.approx(0.75 * (pin - wall), abs=1e-12)
+    tops = np.sort(world.balls.position[:, 1])
+    assert tops[0] == pytest.approx(max(sharp.position[1], floor.start[1]) + 0.5, abs=1e-3)
+    assert np.diff(tops) == pytest.approx(1.0, abs=1e-3)
     assert world.statistics.squeezed == 0

@@ -24,7 +24,7 @@ from carom.rows.flight import FLYING, FlightRow
 from carom.rows.kinds import has_side
 from carom.rows.kinds_near import height_over
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving, surface_velocity
+from carom.rows.pose import is_moving, moves_with, surface_velocity
 from carom.rows.relation import LASTING, LYING, NO_RELATION, PASSING, RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
@@ -246,7 +246,7 @@ def is_walked_over(
 def is_on_wall_of(
     ball: BallRow, flight: FlightRow, point: Row, shapes: Table[ShapeRow], relations: Table[RelationRow]
 ) -> bool:
-    """True if a ball is beside a wall that holds it too, and a point is on that or behind it."""
+    """True if a ball is beside a wall that holds it too, and a point is on that or behind it, and stays there."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
     place = int(ball["relation"])
     while place != NO_RELATION:
@@ -261,7 +261,8 @@ def is_on_wall_of(
                 px, py = into_frame(wall, time, x, y)
                 qx, qy = into_frame(wall, time, qx, qy)
             beside = gap_to_shape(wall, time, x, y, radius, 0.0, 0.0) is not None
-            if beside and height_over(wall, px, py, qx, qy) <= SEPARATION_SLACK * radius:
+            stays = moves_with(point, wall) or not (is_moving(point) or is_moving(wall))
+            if beside and stays and height_over(wall, px, py, qx, qy) <= SEPARATION_SLACK * radius:
                 return True
         place = int(relations[place]["next"])
     return False

@@ -9,7 +9,7 @@ from carom.rows.flight import FlightRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.kinds import lets_pass
 from carom.rows.masks import may_collide
-from carom.rows.pose import is_moving
+from carom.rows.pose import is_moving, moves_with
 from carom.rows.shape import ShapeRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
@@ -59,16 +59,6 @@ def is_squeezed(
         if other != row and has_last_word:
             stopped |= where_stopped(ball, flight, shapes[other], room, nx, ny)
     return stopped == BOTH
-
-
-def moves_with(shape: ShapeRow, other: ShapeRow) -> bool:
-    """True of two shapes that move, and as one, such as the parts of a compound."""
-    if not is_moving(shape) or shape["spin"] != other["spin"]:
-        return False
-    if shape["velocity_x"] != other["velocity_x"] or shape["velocity_y"] != other["velocity_y"]:
-        return False
-    same_pivot = shape["pivot_x"] == other["pivot_x"] and shape["pivot_y"] == other["pivot_y"]
-    return bool(shape["spin"] == 0.0 or same_pivot)
 
 
 def where_stopped(ball: BallRow, flight: FlightRow, shape: ShapeRow, room: float, nx: float, ny: float) -> int:
