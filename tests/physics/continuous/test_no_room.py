@@ -27,6 +27,7 @@ def kicked_crowd(seed: int) -> World:
     return world
 
 
+@pytest.mark.compiled
 @pytest.mark.usefixtures("step_compiled")
 @pytest.mark.parametrize("seed", range(12))
 def test_kicks_end_where_balls_have_no_room(seed: int) -> None:
@@ -87,6 +88,7 @@ def pushed_column(seed: int) -> World:
     return world
 
 
+@pytest.mark.compiled
 @pytest.mark.usefixtures("step_compiled")
 @pytest.mark.parametrize("first", range(0, 60, 20))
 def test_a_limit_of_speed_does_not_hold_balls_back_between_those_that_push(first: int) -> None:
@@ -121,6 +123,7 @@ def seesaw(seed: int) -> World:
     return world
 
 
+@pytest.mark.compiled
 @pytest.mark.usefixtures("step_compiled")
 @pytest.mark.parametrize("seed", [0, 1, 2, 613, 1076, 1959, 2845, 3150, 3225, 3876])
 def test_balls_of_a_heap_go_over_the_end_of_what_carries_them(seed: int) -> None:

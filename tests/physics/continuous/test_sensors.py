@@ -197,6 +197,7 @@ def grazing(seed: int) -> World:
 
 
 @pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
 @pytest.mark.parametrize("first", range(0, 2000, 500))
 def test_a_ball_that_grazes_a_sensor_comes_in_and_out_once_or_not_at_all(first: int) -> None:
     touched = 0
@@ -221,6 +222,7 @@ def round_numbers(seed: int) -> World:
 
 
 @pytest.mark.compiled
+@pytest.mark.usefixtures("step_compiled")
 @pytest.mark.parametrize("seed", [*range(20), 1290, 2969])
 def test_sensors_end_a_step_whatever_touches_at_once(seed: int) -> None:
     with within(20.0):

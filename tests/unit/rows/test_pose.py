@@ -1,12 +1,13 @@
 """One substep of a shape's motion: what moves, what is remembered, and where the stops are."""
 
-from math import cos, pi, sin
+from math import cos, dist, pi, sin
+from typing import Any
 
 import pytest
 
 from carom import Arc, Circle, Gate, Point, Segment, Shape
 from carom.rows import kinds_near, pose
-from carom.rows.pose import advance_pose
+from carom.rows.pose import advance_pose, moves_with
 from tests.unit.rows.samples import KINDS, MANY, NEAR, SAMPLES, outline, row_of
 
 
@@ -131,3 +132,23 @@ def test_a_posed_shape_is_the_initial_one_turned_and_moved(kind: str, turn: floa
     for x, y in before:
         place = float(row["pivot_x"]) + c * x - s * y, float(row["pivot_y"]) + s * x + c * y
         assert kinds_near.distance_to_shape(row, *place) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "motion", [{"velocity": (1, 0)}, {"angular_velocity": 2.0}, {"velocity": (0, 3), "angular_velocity": 1}]
+)
+def test_what_moves_as_one_keeps_its_distance(motion: dict[str, Any]) -> None:
+    others: list[dict[str, Any]] = [
+        {"velocity": (1, 0)}, {"velocity": (0, 3), "angular_velocity": 1}, {"angular_velocity": 2.0},
+        {"angular_velocity": 2.0, "pivot": (1, 0)}, {"velocity": (1, 0), "pivot": (4, 5)}, {},
+    ]  # fmt: skip
+    for other in others:
+        one, two = (
+            Point(place, motion="kinematic", **({"pivot": (0, 0)} | options))
+            for place, options in (((3, 1), motion), ((1, 2), other))
+        )
+        before = dist(one.position, two.position)
+        for shape in (one, two):
+            advance(shape, 0.125)
+        together = moves_with(one._row, two._row)
+        assert together == (dist(one.position, two.position) == pytest.approx(before, abs=1e-12))
