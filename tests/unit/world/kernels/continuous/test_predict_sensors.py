@@ -221,6 +221,33 @@ def test_balls_that_go_together_do_not_part() -> None:
     assert place_after(rows[0], rows[1], 2.0) == (6, 8, 3, 4)
 
 
+@pytest.mark.parametrize(("predict", "seeds"), [(predict_exit, range(240, 270)), (predict_entry, range(2650, 2680))])
+def test_from_the_very_time_at_which_a_ball_comes_or_leaves_the_same_is_foreseen(predict: Any, seeds: range) -> None:
+    # Of round numbers, that may be the time of a look.
+    seen = 0
+    for seed in seeds:
+        random = Random(seed)
+        place, velocity = (
+            [random.randrange(-8, 9) / 16.0 for _ in range(2)],
+            [random.randrange(-3, 4) for _ in range(2)],
+        )
+        gravity = random.choice([(0.0, 0.0), (0.0, -4.0), (3.0, -4.0)])
+        sensors = (
+            Segment((-0.5, 0), (0.5, 0), sensor=True),
+            Circle((0, 0), 0.5, sensor=True),
+            Circle((0, 0), 0.5, sensor=True, solid=True),
+            Point((0, 0), sensor=True),
+        )
+        arrays = with_ball(sensors[random.randrange(4)], Ball(place, 0.25, velocity=velocity), gravity=gravity)
+        expected = found(arrays, predict, 0.0)
+        if not 0.0 < expected[1] < inf:
+            continue
+        seen += 1
+        for age in (expected[1], nextafter(expected[1], 0.0), floor(16.0 * expected[1]) / 16.0):
+            assert found(arrays, predict, age) == expected, (seed, age)
+    assert seen > 5
+
+
 @pytest.mark.parametrize("first", range(0, 600, 200))
 def test_from_the_very_time_at_which_balls_part_the_same_is_foreseen(first: int) -> None:
     for seed in range(first, first + 200):
