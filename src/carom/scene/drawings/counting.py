@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from itertools import islice
 from typing import NamedTuple, NoReturn
 
 from carom.errors import SceneError
@@ -73,7 +74,7 @@ def check_text(text: str) -> None:
 
     What cannot be told from the text, such as blocks that are inserted in themselves, is left to who follows it.
     """
-    found = list(_STRUCTURE.finditer(text))
+    found = list(islice(_STRUCTURE.finditer(text), 2 * MOST_ELEMENTS + 1))
     if len(found) > 2 * MOST_ELEMENTS:
         raise SceneError(f"a drawing may have at most {MOST_ELEMENTS} entities")
     ends = [*(one.start() for one in found[1:]), len(text)]
