@@ -28,17 +28,25 @@ CALLED = {
 }
 
 
+def surroundings(cache: str, compile_how: str) -> dict[str, str]:
+    """The environment of a process whose compiled code is kept in the folder `cache`, and Python's where it belongs."""
+    return {
+        **{name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"},
+        "CAROM_CACHE_DIR": cache,
+        "CAROM_COMPILE": compile_how,
+    }
+
+
 def seconds(work: str, cache: str) -> float:
     """Seconds that `work` takes in a fresh interpreter whose compiled code is kept in the folder `cache`."""
-    environment = {**os.environ, "CAROM_CACHE_DIR": cache, "CAROM_COMPILE": "wait"}
     command = [sys.executable, "-c", CLOCK.format(work=work)]
-    finished = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    finished = subprocess.run(command, env=surroundings(cache, "wait"), capture_output=True, text=True, check=True)
     return float(finished.stdout)
 
 
 def seconds_of_picture(cache: str) -> float:
     """Seconds from nothing to a picture of a run, by the command line, which does not wait for the compiler."""
-    environment = {**os.environ, "CAROM_CACHE_DIR": cache, "CAROM_COMPILE": "background"}
+    environment = surroundings(cache, "background")
     with TemporaryDirectory() as folder:
         command = [sys.executable, "-c", PICTURE, "run", "pinball", "--seconds", "20", "--out", f"{folder}/pinball.svg"]
         began = perf_counter()
