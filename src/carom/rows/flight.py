@@ -24,6 +24,7 @@ ASLEEP = 1
 
 NO_PLACE = -1  # of a ball that is not in the queue of events
 NO_BALL = -1
+NO_SHAPE = -1
 IN_PART = -1  # in place of impacts
 NO_TICK = 1e300  # later than any instant of a world
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, IN_PART, NO_TICK, FlightRow
+from carom.rows.flight import FLYING, IN_PART, NO_SHAPE, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
@@ -38,6 +38,25 @@ def arrive(
 
     Whoever changes a ball's path lets it arrive first; what others foresaw with it counts no more.
     """
+    arrive_at(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
+
+
+def arrive_at(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    flights: Table[FlightRow],
+    relations: Table[RelationRow],
+    i: int,
+    met: int,
+) -> None:
+    """The same of a ball that meets the shape in row `met`, if there is one.
+
+    What it meets it has not come into past an end, though one that slides may be a little in it.
+    """
     ball, flight = balls[i], flights[i]
     keep_course(state, ball, flights, i)
     flight["version"] += 1
@@ -56,7 +75,7 @@ def arrive(
     flight["low_vy"] = 0.0
     if age > 0.0 and flight["kind"] == FLYING:
         note_all_passing(
-            state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, from_x, from_y
+            state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, from_x, from_y, met
         )  # fmt: skip
 
 
@@ -144,10 +163,11 @@ def note_all_passing(
     age: float,
     from_x: float,
     from_y: float,
+    met: int,
 ) -> None:
     """Let a ball pass the shapes that it overlaps and came into past an end since it was at `from`, `age` seconds ago.
 
-    Its row is where it is `ahead` seconds after its flight began.
+    All but the one in row `met`. Its row is where it is `ahead` seconds after its flight began.
 
     One that overlaps a shape otherwise was pushed onto it. One that slides or rolls is handed from shape to shape at
     their joint, where its hop lies a little off the next one. There must be room for a relation with each.
@@ -156,11 +176,14 @@ def note_all_passing(
     x, y = float(ball["x"]), float(ball["y"])
     begin, end = cell_span(cells, locate(index[FIXED], cells, x, y))
     for k in range(begin, end):
-        note_passing(state, ball, flight, i, shapes, row_of(members[k]), relations, ahead, age, from_x, from_y)
+        row = row_of(members[k])
+        if row != met:
+            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
     near, wide = kinematic_near(index, cells, x, y)
     while is_any_near(near, wide):
         row, near, wide = next_near(shapes, members, near, wide)
-        note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
+        if row != met:
+            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
 
 
 def note_passing(

@@ -13,6 +13,7 @@ from carom.rows.flight import (
     LEAVE,
     LOOK,
     NO_BALL,
+    NO_SHAPE,
     SLEEP,
     STOP,
     STRAY,
@@ -28,7 +29,7 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive, work_of_shift
+from carom.world.kernels.continuous.arrival import arrive, arrive_at, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
@@ -42,7 +43,7 @@ from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.straying import cross_bounds
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
 from carom.world.kernels.step.hits import cross_ball
-from carom.world.kernels.step.relations import add_relation, drop_kind, find_relation, has_kind
+from carom.world.kernels.step.relations import add_relation, drop_kind, has_kind
 
 
 def deal_with(
@@ -77,10 +78,8 @@ def deal_with(
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
     came, age = way_of(ball, flight), age_now(state, flight)
-    arrive(state, balls, shapes, index, cells, members, flights, relations, i)
-    if event == HIT_SHAPE:
-        # What it meets it has not come into past an end, though one that slides may be a little in it.
-        drop_kind(state, relations, ball, PASSING, partner)
+    met = partner if event == HIT_SHAPE else NO_SHAPE
+    arrive_at(state, balls, shapes, index, cells, members, flights, relations, i, met)
     second = partner if of_two else NO_BALL
     struck, changed = event == HIT_BALL, event == HIT_BALL or event == LEAVE or event == STOP
     if of_two:
@@ -92,8 +91,7 @@ def deal_with(
             drop_kind(state, relations, balls[high], INSIDE_BALL, low)
             cross_ball(state, hits[state["hits"]], float(state["now"]), EXIT, balls[high], balls[low])
     elif event == HIT_SHAPE and came_past_end(ball, flight, shapes[partner], relations, came, age):
-        if not find_relation(relations, ball, PASSING, partner):
-            add_relation(state, relations, ball, i, PASSING, partner)
+        add_relation(state, relations, ball, i, PASSING, partner)
     elif event == HIT_SHAPE:
         struck, changed = True, True
         impact_with_shape(

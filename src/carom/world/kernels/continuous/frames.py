@@ -5,7 +5,7 @@ from __future__ import annotations
 from carom.constants import NEVER
 from carom.geometry.instants import is_before, later
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FLYING, IN_PART, NO_TICK, FlightRow
+from carom.rows.flight import ASLEEP, FLYING, IN_PART, NO_SHAPE, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
@@ -201,7 +201,9 @@ def note_passed(
         if moved or flight["id"] != ball["id"] or flight["kind"] != FLYING or not age > 0.0:
             continue
         x, y = float(flight["x"]), float(flight["y"])
-        note_all_passing(state, ball, flight, i, shapes, (index, cells, members), relations, age, age, x, y)
+        note_all_passing(
+            state, ball, flight, i, shapes, (index, cells, members), relations, age, age, x, y, NO_SHAPE
+        )  # fmt: skip
     show_movers(state, shapes, order)
     enter_stage(state, MOVE)
     return DONE

@@ -6,21 +6,21 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Segment
-from carom.rows.flight import ASLEEP, COPIED_LINES, COURSE, EVENT_LINES, FLIGHT
+from carom.rows.flight import ASLEEP, COPIED_LINES, COURSE, EVENT_LINES, FLIGHT, NO_SHAPE
 from carom.rows.relation import LASTING, PASSING
 from carom.rows.tables import LINE
-from carom.world.kernels.continuous.arrival import arrive, copy_course, fly_on, keep_course, note_passing
+from carom.world.kernels.continuous.arrival import arrive_at, copy_course, fly_on, keep_course, note_passing
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, look_at, near_tables
 from tests.worlds import continuous_world
 
 
-def come(arrays: Arrays, seconds: float, i: int = 0) -> None:
-    """Let a ball arrive so many seconds after the step began."""
+def come(arrays: Arrays, seconds: float, met: int = NO_SHAPE) -> None:
+    """Let the ball arrive so many seconds after the step began."""
     look_at(arrays, seconds)
     tables = *near_tables(arrays), arrays.flights, arrays.relations
-    arrive(arrays.states[0], arrays.balls.rows, *tables, i)
+    arrive_at(arrays.states[0], arrays.balls.rows, *tables, 0, met)
 
 
 def test_a_new_flight_begins_where_the_ball_is() -> None:
@@ -84,6 +84,16 @@ def test_a_ball_that_comes_past_an_end_passes_a_wall(motion: dict[str, Any]) -> 
     assert not find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0)
     come(arrays, 2.5)
     assert find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0)
+
+
+@pytest.mark.parametrize("motion", [{}, {"motion": "kinematic", "velocity": (-0.5, 0)}])
+@pytest.mark.parametrize("met", [0, 1])
+def test_of_two_walls_the_one_that_a_ball_meets_is_not_passed(motion: dict[str, Any], met: int) -> None:
+    ball = Ball((-2, 0.5), 1, velocity=(0.5 if motion else 1, 0))
+    arrays = in_flight(continuous_world(*(Segment((0, 0), (9, y), **motion) for y in (0, 1)), ball))
+    come(arrays, 2.5, met)
+    passed = [find_relation(arrays.relations, arrays.balls.rows[0], PASSING, row) for row in range(2)]
+    assert passed == [met != 0, met != 1]
 
 
 @pytest.mark.parametrize(
