@@ -256,13 +256,17 @@ class Worlds(Spelled):
 
     def _see_changes(self) -> None:
         """Take note of what was written to the arrays of the balls since the last step."""
+        self._see_lent()
         memory = self._common.memory
-        if self._lent is not None:
-            keeping.wake_changed(memory, self._lent)
-            self._lent = keeping.lent_columns(memory)
         if self._in_play is not None:
             for copy in np.flatnonzero((self._in_play != memory.in_play).any(axis=1)).tolist():
                 self._change_play(copy, self._in_play[copy])
+
+    def _see_lent(self) -> None:
+        """Take note of what was written to the columns of the balls, but for who is in play."""
+        if self._lent is not None:
+            keeping.wake_changed(self._common.memory, self._lent)
+            self._forget_lent()
 
     def _forget_lent(self) -> None:
         """Take the columns of the balls as they are now for what nobody has written to."""
@@ -304,6 +308,8 @@ class Worlds(Spelled):
         """
         which = slice(None) if where is None else keeping.chosen("where", where, len(self))
         common = self._common
+        # What was written to other copies must not be taken for what they were.
+        self._see_lent()
         common.memory.words[which] = self._start.words[0]
         common.faults[which] = DONE
         common.counts[which] = 0
