@@ -13,7 +13,7 @@ from carom.constants import INDEX_MARGIN, LOOK_TRAVEL, ROOT_STEPS, SENSOR_LOOKS,
 from carom.geometry.impact import impact_disc
 from carom.geometry.instants import is_before, later, seconds_since
 from carom.geometry.path import Path, path_after, path_from, place_on
-from carom.geometry.vector import dot, length
+from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
 from carom.rows.flight import CLEAR, EXIT_BALL, EXIT_SHAPE, FLYING, HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds_near import distance_to_shape
@@ -31,6 +31,9 @@ from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape,
 
 #: As many looks as are left out at once at most: whole numbers up to far beyond are doubles.
 MOST_LOOKS = 1e12
+
+#: Relative to an instant: so many seconds after it are the same instant, or may be.
+INSTANT_ROUNDING = 5e-32
 
 # What is asked of a ball and a shape.
 ON_IT = 0  # beside it and touching
@@ -110,11 +113,13 @@ def is_there(
     """False where a ball that was on a shape is not as its flight begins, because it was put elsewhere.
 
     What has begun by touching is there, whatever the rounding of its place, and so is what came past an end and is put
-    back before that by rounding: it is there when it has gone a way that is hardly more than that.
+    back before that by rounding: it is there when it has gone a way that is hardly more than that. And so is what is so
+    fast that it has come before it touches, as no instant in between can be told apart.
     """
     if answer(ball, flight, shape, question, 0.0, SEPARATION_SLACK):
         return True
     soon = time_to_go(speed, pull, SEPARATION_SLACK * float(ball["radius"]))
+    soon = larger(soon, INSTANT_ROUNDING * fabs(float(flight["time"])))
     return soon < inf and answer(ball, flight, shape, question, soon, SEPARATION_SLACK)
 
 
