@@ -168,10 +168,8 @@ LENT = ["radius", "mass", "elasticity", "friction", "layer", "collides_with", "s
 
 def lend(world: World) -> None:
     """Note the columns as they are now, for they may be written to from now on."""
-    see_lent(world)
     world._quick = None
-    if world._lent is None:
-        note_lent(world)
+    note_lent(world)
 
 
 def note_lent(world: World) -> None:

@@ -75,6 +75,20 @@ def test_what_is_written_to_a_copy_is_seen_whatever_is_done_to_another_one_befor
 
 
 @pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_what_is_written_and_written_back_before_a_step_was_never_there_in_a_world_or_a_copy(detection: str) -> None:
+    world, untouched = (asleep_table(detection) for _ in range(2))
+    worlds = carom.Worlds(world, 2, threads=1)
+    for name in COLUMNS:
+        for balls, ball in ((world.balls, 1), (worlds.balls, (0, 1))):
+            before = getattr(balls, name)[ball]
+            getattr(balls, name)[ball] = not before
+            getattr(balls, name)[ball] = before
+    for each in (world, worlds, untouched):
+        each.step(1 / 50)
+    assert [world.digest(), *worlds.digests()] == [untouched.digest()] * 3
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
 def test_a_copy_that_was_written_to_is_put_back_to_the_bit(detection: str) -> None:
     start = asleep_table(detection)
     worlds = carom.Worlds(start, 2, threads=1)
