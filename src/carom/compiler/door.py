@@ -271,7 +271,9 @@ class Entry:
             with claimed(cache_folder(), self._function.__name__, teller.waits) as teller.far:
                 try:
                     kept.compile(signature)
-                except Exception:  # noqa: BLE001  # whatever reading and writing pickled code may raise
+                except Exception:  # whatever reading and writing pickled code may raise
+                    if teller.compiles and not kept.overloads:
+                        raise  # neither: it came from elsewhere, as from a signal's handler
                     # The disk is full, or what was kept there is damaged and cannot be taken away.
                     self.lasting = False
             if self.lasting:

@@ -63,6 +63,11 @@ class Teller:
         return time.perf_counter() - self._began
 
     @property
+    def compiles(self) -> bool:
+        """Whether this process has begun to compile something."""
+        return bool(self._seen)
+
+    @property
     def _start(self) -> str:
         """What a line begins with that takes the place of the one before, where it can."""
         return "\r" if self._terminal else ""

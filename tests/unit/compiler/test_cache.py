@@ -26,6 +26,24 @@ except TimeoutError:
     print("it rang")
 """
 
+#: The same while it is compiled.
+CLOCK_MEANWHILE = f"""
+from carom.compiler.teller import Teller
+
+see = Teller.see
+
+def ring(*arguments):
+    Teller.see = see
+    see(*arguments)
+    raise TimeoutError
+
+Teller.see = ring
+try:
+    exec({ONE_KERNEL!r})
+except TimeoutError:
+    print("it rang")
+"""
+
 
 @pytest.mark.slow
 @pytest.mark.compiled
@@ -79,6 +97,14 @@ def test_what_a_signal_breaks_off_while_it_is_read_is_not_taken_for_damaged(tmp_
     files = kept(tmp_path)
     assert one_kernel(tmp_path, CLOCK + ONE_KERNEL) == ("it rang\n3\n", "")
     assert kept(tmp_path) == files
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_what_a_signal_breaks_off_while_it_is_compiled_is_heard_and_compiled_anew(tmp_path: Path) -> None:
+    assert one_kernel(tmp_path, CLOCK_MEANWHILE + ONE_KERNEL)[0] == "it rang\n3\n"
+    assert len(kept(tmp_path)) == 2
+    assert one_kernel(tmp_path) == ("3\n", "")
 
 
 @pytest.mark.slow
