@@ -32,7 +32,7 @@ from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape,
 #: As many looks as are left out at once at most: whole numbers up to far beyond are doubles.
 MOST_LOOKS = 1e12
 
-#: Relative to an instant: so many seconds after it are the same instant, or may be.
+#: Relative to an instant: what rounding may take from a later one, so that the two are the same.
 INSTANT_ROUNDING = 5e-32
 
 # What is asked of a ball and a shape.
@@ -97,6 +97,9 @@ def predict_change(
         end = time_to_go(speed, pull, number * way)
         if answer(ball, flight, shape, question, end, 0.0) == wanted:
             found = time_of_change(ball, flight, shape, question, wanted, max(begin, 0.0), end)
+            if not wanted and found > 0.0:
+                # At the very instant at which the ball came it would be where it came still, and come again.
+                found = larger(found, same_instant(flight))
             consider(flight, max(found, age), event, row)
             return
         begin = end
@@ -119,8 +122,13 @@ def is_there(
     if answer(ball, flight, shape, question, 0.0, SEPARATION_SLACK):
         return True
     soon = time_to_go(speed, pull, SEPARATION_SLACK * float(ball["radius"]))
-    soon = larger(soon, INSTANT_ROUNDING * fabs(float(flight["time"])))
+    soon = larger(soon, same_instant(flight))
     return soon < inf and answer(ball, flight, shape, question, soon, SEPARATION_SLACK)
+
+
+def same_instant(flight: FlightRow) -> float:
+    """So many seconds after a flight began are the same instant, or may be."""
+    return INSTANT_ROUNDING * fabs(float(flight["time"]))
 
 
 def looks_clear(ball: BallRow, flight: FlightRow, shape: ShapeRow, age: float, way: float) -> float:
