@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, IN_PART, NO_SHAPE, NO_TICK, FlightRow
+from carom.rows.flight import FLYING, IN_PART, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
 from carom.rows.kinds import has_ends
 from carom.rows.masks import may_collide
@@ -33,29 +33,13 @@ def arrive(
     flights: Table[FlightRow],
     relations: Table[RelationRow],
     i: int,
+    met: int,
 ) -> None:
     """Begin a new flight of a ball where it is now, and bring what it passes up to date.
 
-    Whoever changes a ball's path lets it arrive first; what others foresaw with it counts no more.
-    """
-    arrive_at(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
-
-
-def arrive_at(
-    state: StateRow,
-    balls: Table[BallRow],
-    shapes: Table[ShapeRow],
-    index: Table[IndexRow],
-    cells: Table[CellRow],
-    members: Table[int],
-    flights: Table[FlightRow],
-    relations: Table[RelationRow],
-    i: int,
-    met: int,
-) -> None:
-    """The same of a ball that meets the shape in row `met`, if there is one.
-
-    What it meets it has not come into past an end, though one that slides may be a little in it.
+    Whoever changes a ball's path lets it arrive first; what others foresaw with it counts no more. The shape in row
+    `met`, or NO_SHAPE, which it meets now, it has not come into past an end, though one that slides may be a little in
+    it.
     """
     ball, flight = balls[i], flights[i]
     keep_course(state, ball, flights, i)

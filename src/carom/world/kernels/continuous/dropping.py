@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom.rows.ball import BallRow
-from carom.rows.flight import ASLEEP, FlightRow
+from carom.rows.flight import ASLEEP, NO_SHAPE, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
@@ -39,7 +39,7 @@ def let_go(
         ball, flight = balls[i], flights[i]
         if flight["kind"] != ASLEEP and not is_let_go(balls, shapes, relations, ball):
             continue
-        arrive(state, balls, shapes, index, cells, members, flights, relations, i)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
         let_fly(state, ball, flight)
         if lies(relations, ball):
             hasten(state, balls, flights, relations, bodies, i)

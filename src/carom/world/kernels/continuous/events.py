@@ -29,7 +29,7 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive, arrive_at, work_of_shift
+from carom.world.kernels.continuous.arrival import arrive, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
@@ -79,11 +79,11 @@ def deal_with(
         return
     came, age = way_of(ball, flight), age_now(state, flight)
     met = partner if event == HIT_SHAPE else NO_SHAPE
-    arrive_at(state, balls, shapes, index, cells, members, flights, relations, i, met)
+    arrive(state, balls, shapes, index, cells, members, flights, relations, i, met)
     second = partner if of_two else NO_BALL
     struck, changed = event == HIT_BALL, event == HIT_BALL or event == LEAVE or event == STOP
     if of_two:
-        arrive(state, balls, shapes, index, cells, members, flights, relations, partner)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, partner, NO_SHAPE)
         low, high = min(i, partner), max(i, partner)
         if event == HIT_BALL:
             meet_balls(state, balls, shapes, index, cells, members, hits, relations, flights, low, high)
@@ -260,7 +260,7 @@ def change_shapes(
     """Let the shapes that stop or arrive now do so; balls that they hold begin new flights."""
     for i in range(state["balls"]):
         if balls[i]["relation"] != NO_RELATION and is_held_by_mover(balls[i], shapes, relations):
-            arrive(state, balls, shapes, index, cells, members, flights, relations, i)
+            arrive(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
             if lies(relations, balls[i]):
                 hasten(state, balls, flights, relations, bodies, i)
     change_movers(state, shapes, order)

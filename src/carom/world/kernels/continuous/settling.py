@@ -21,7 +21,7 @@ from carom.constants import (
 from carom.geometry.instants import later
 from carom.geometry.vector import larger, length, smaller
 from carom.rows.ball import BallRow
-from carom.rows.flight import NO_TICK, FlightRow
+from carom.rows.flight import NO_SHAPE, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import NO_BODY, BodyRow, IslandContactRow
 from carom.rows.pose import is_moving
@@ -133,7 +133,7 @@ def begin_now(
     if begins_now(state, flights[i]):
         flights[i]["version"] += 1
     else:
-        arrive(state, balls, shapes, index, cells, members, flights, relations, i)
+        arrive(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
 
 
 def let_loose(

@@ -8,7 +8,7 @@ from carom.constants import GAP_ROUNDING, SEPARATION_SLACK
 from carom.geometry.path import Path, path_after
 from carom.geometry.roots import falling_time
 from carom.rows.ball import BallRow
-from carom.rows.flight import FLYING, NO_BALL, STRAY, FlightRow
+from carom.rows.flight import FLYING, NO_BALL, NO_SHAPE, STRAY, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
@@ -145,7 +145,7 @@ def take_out(
     i: int,
 ) -> None:
     """End what a ball has to do with others: who lies on it is solved anew, at once, and sensors see it leave."""
-    arrive(state, balls, shapes, index, cells, members, flights, relations, i)
+    arrive(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
     ball, now = balls[i], float(state["now"])
     if lies(relations, ball):
         hasten(state, balls, flights, relations, bodies, i)

@@ -9,7 +9,7 @@ from carom import Arc, Ball, Circle, Segment
 from carom.rows.flight import ASLEEP, COPIED_LINES, COURSE, EVENT_LINES, FLIGHT, NO_SHAPE
 from carom.rows.relation import LASTING, PASSING
 from carom.rows.tables import LINE
-from carom.world.kernels.continuous.arrival import arrive_at, copy_course, fly_on, keep_course, note_passing
+from carom.world.kernels.continuous.arrival import arrive, copy_course, fly_on, keep_course, note_passing
 from carom.world.kernels.step.relations import add_relation, find_relation
 from carom.world.tables import Arrays
 from tests.kernel_calls import in_flight, look_at, near_tables
@@ -20,7 +20,7 @@ def come(arrays: Arrays, seconds: float, met: int = NO_SHAPE) -> None:
     """Let the ball arrive so many seconds after the step began."""
     look_at(arrays, seconds)
     tables = *near_tables(arrays), arrays.flights, arrays.relations
-    arrive_at(arrays.states[0], arrays.balls.rows, *tables, 0, met)
+    arrive(arrays.states[0], arrays.balls.rows, *tables, 0, met)
 
 
 def test_a_new_flight_begins_where_the_ball_is() -> None:
