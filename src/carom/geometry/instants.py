@@ -7,7 +7,12 @@ Source: Dekker, A floating-point technique for extending the available precision
 
 from __future__ import annotations
 
+from math import fabs
+
 from carom.geometry.exact import exact_sum
+
+#: Relative to an instant: two units in the last place of the second double, which is half a unit of the first at most.
+RESOLUTION = 5e-32
 
 
 def later(time: float, low: float, seconds: float) -> tuple[float, float]:
@@ -16,6 +21,11 @@ def later(time: float, low: float, seconds: float) -> tuple[float, float]:
     lost += low
     high = total + lost
     return high, lost - (high - total)
+
+
+def resolution(time: float) -> float:
+    """Seconds that tell any instant at a time from the one that is so much later; fewer may not."""
+    return RESOLUTION * fabs(time)
 
 
 def seconds_since(time: float, low: float, from_time: float, from_low: float) -> float:

@@ -3,10 +3,10 @@
 from fractions import Fraction
 from math import inf, ulp
 
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from carom.geometry.instants import is_before, later, seconds_since
+from carom.geometry.instants import is_before, later, resolution, seconds_since
 
 #: Times from a world's first moment to far beyond its last, and steps of any length.
 TIMES = st.floats(0.0, 1e12)
@@ -82,3 +82,14 @@ def test_what_never_comes_is_after_everything() -> None:
     assert is_before(1e300, 1e280, inf, 0.0)
     assert not is_before(inf, 0.0, 1e300, 0.0)
     assert not is_before(inf, 0.0, inf, 0.0)
+
+
+@given(st.lists(SECONDS, min_size=1, max_size=30))
+def test_what_is_later_by_the_resolution_is_another_instant_and_by_a_hundredth_of_it_may_be_the_same(
+    seconds: list[float],
+) -> None:
+    time, low = instant_of(*seconds)
+    assume(time > 1e-200)
+    assert is_before(time, low, *later(time, low, resolution(time)))
+    edge = ulp(time) * 0.499
+    assert later(time, edge, 0.01 * resolution(time)) == (time, edge)

@@ -11,7 +11,7 @@ from math import fabs, floor, inf, sqrt
 
 from carom.constants import INDEX_MARGIN, LOOK_TRAVEL, ROOT_STEPS, SENSOR_LOOKS, SEPARATION_SLACK, SWEEP_ROUNDING
 from carom.geometry.impact import impact_disc
-from carom.geometry.instants import is_before, later, seconds_since
+from carom.geometry.instants import is_before, later, resolution, seconds_since
 from carom.geometry.path import Path, path_after, path_from, place_on
 from carom.geometry.vector import dot, larger, length
 from carom.rows.ball import BallRow
@@ -31,9 +31,6 @@ from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape,
 
 #: As many looks as are left out at once at most: whole numbers up to far beyond are doubles.
 MOST_LOOKS = 1e12
-
-#: Relative to an instant: what rounding may take from a later one, so that the two are the same.
-INSTANT_ROUNDING = 5e-32
 
 # What is asked of a ball and a shape.
 ON_IT = 0  # beside it and touching
@@ -99,7 +96,7 @@ def predict_change(
             found = time_of_change(ball, flight, shape, question, wanted, max(begin, 0.0), end)
             if not wanted and found > 0.0:
                 # At the very instant at which the ball came it would be where it came still, and come again.
-                found = larger(found, same_instant(flight))
+                found = larger(found, resolution(float(flight["time"])))
             consider(flight, max(found, age), event, row)
             return
         begin = end
@@ -122,13 +119,8 @@ def is_there(
     if answer(ball, flight, shape, question, 0.0, SEPARATION_SLACK):
         return True
     soon = time_to_go(speed, pull, SEPARATION_SLACK * float(ball["radius"]))
-    soon = larger(soon, same_instant(flight))
+    soon = larger(soon, resolution(float(flight["time"])))
     return soon < inf and answer(ball, flight, shape, question, soon, SEPARATION_SLACK)
-
-
-def same_instant(flight: FlightRow) -> float:
-    """So many seconds after a flight began are the same instant, or may be."""
-    return INSTANT_ROUNDING * fabs(float(flight["time"]))
 
 
 def looks_clear(ball: BallRow, flight: FlightRow, shape: ShapeRow, age: float, way: float) -> float:
