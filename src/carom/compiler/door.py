@@ -272,7 +272,7 @@ class Entry:
                 try:
                     kept.compile(signature)
                 except Exception:  # whatever reading and writing pickled code may raise
-                    if teller.compiles and not kept.overloads:
+                    if teller.compiles and signature not in kept.overloads:
                         raise  # neither: it came from elsewhere, as from a signal's handler
                     # The disk is full, or what was kept there is damaged and cannot be taken away.
                     self.lasting = False
