@@ -1,6 +1,8 @@
 """How much a drawing has is counted in its text, each limit told before anything is followed."""
 
 from io import StringIO
+from itertools import count, takewhile
+from types import SimpleNamespace
 from typing import Any
 
 import ezdxf
@@ -190,3 +192,15 @@ def test_blocks_in_themselves_and_chains_of_them_end(monkeypatch: pytest.MonkeyP
     own = "0\nBLOCK\n2\nA\n0\nINSERT\n2\nA\n0\nENDBLK\n"
     entities = "0\nINSERT\n2\nB0\n0\nINSERT\n2\nA\n"
     check_text(f"0\nSECTION\n2\nBLOCKS\n{chain}{own}0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n")
+
+
+def test_the_structures_of_a_dxf_are_counted_no_farther_than_to_the_first_that_is_too_many(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    line, drawn = counting._STRUCTURE.search("  0\nLINE\n"), count()
+    endless = SimpleNamespace(finditer=lambda _text: (line for _ in takewhile(lambda k: k < 1000, drawn)))
+    monkeypatch.setattr(counting, "_STRUCTURE", endless)
+    monkeypatch.setattr(counting, "MOST_ELEMENTS", 10)
+    with pytest.raises(carom.SceneError, match="at most 10 entities"):
+        check_text("")
+    assert next(drawn) == 21
