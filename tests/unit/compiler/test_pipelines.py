@@ -82,8 +82,8 @@ def test_a_pass_that_is_left_out_would_have_changed_nothing(monkeypatch: pytest.
         made.compile((table, numba.types.boolean))
         (compiled,) = made.overloads.values()
         counts.append(len(compiled.metadata["pipeline_times"]["nopython"]))
-        # Numba numbers what it compiles.
-        texts.append(re.sub(r"B\d+v\d+", "", compiled.library.get_llvm_str()))
+        # Numba numbers what it compiles, by which its names have other lengths too.
+        texts.append(re.sub(r"B\d+v\d+|\[\d+ x i8\]", "", compiled.library.get_llvm_str()))
     assert counts[0] <= counts[1] - 12
     assert texts[0] == texts[1]
 
