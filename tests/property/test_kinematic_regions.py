@@ -104,7 +104,7 @@ def film(seed: int, phase: str, steps: int) -> list[Any]:
             change(random, random.choice(kinematic), world.balls)
     told += [bits(world.balls.position), bits(world.balls.velocity)]
     told.append([(shape.orientation, shape.position, shape.velocity) for shape in kinematic])
-    world.broad_phase = "grid"
+    world.broad_phase = "quadtree"
     return [*told, world.digest()]
 
 

@@ -11,7 +11,7 @@ STRAY = 2  # it leaves the world's bounds, or comes back; its path stays what it
 TICK = 3  # it is put back onto the bent or moving shape along which it slides, or its island is solved
 STOP = 4  # friction has taken its speed
 SLEEP = 5
-CLEAR = 6  # it has come off a shape that it passed
+CLEAR = 6  # it has come off a shape that it passed; its path stays what it is
 LEAVE = 7  # it comes to the end of the shape that it rests on
 EXIT_SHAPE = 8  # it leaves a sensor
 EXIT_BALL = 9
@@ -36,7 +36,7 @@ class CourseRow(TypedDict):
     here, and the balls' rows show where the balls are. Here they stand for those, too, that look for balls near them.
     """
 
-    id: i8  # of the ball
+    id: i8  # of the ball; below 0 where that was changed from outside, and is to begin a new flight
     time: f8  # the instant at which it began
     low: f8
     x: f8

@@ -10,6 +10,10 @@ PAIRS_DUE = 2
 COUNTED = 4  # not due, but done: it was counted as squeezed in this substep
 MET = 8  # it has overlapped a shape when it met the shapes last
 CROWDED = 16  # more than one, or one so deep or with so little room that it may be near the side of another
+KEPT = 32  # continuous: it is on its flight still, which sees to shallow overlaps, and to all with others that are
+
+#: All of these but that pairs are due, or but that it is on its flight still.
+BUT_PAIRS, BUT_KEPT = 255 - PAIRS_DUE, 255 - KEPT
 
 
 class SavedRow(TypedDict):
@@ -25,7 +29,7 @@ class SavedRow(TypedDict):
     relation: i4
     asleep: u1
     stray: u1
-    touched: u1  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; COUNTED, MET, CROWDED
+    touched: u1  # what a response has made necessary again: SHAPES_DUE, PAIRS_DUE; and the others
     overflowed: u1  # the ball was not finite when a step was undone
 
 

@@ -107,10 +107,12 @@ class ShapeRow(TypedDict):
     orientation_before: f8
     pivot_before_x: f8
     pivot_before_y: f8
-    # since when it moves as it does (continuous), and where orientation_before and pivot_before were
+    # since when it moves as it does (continuous), and what it was at orientation_before and pivot_before
     since: f8
     since_low: f8
     time_left_before: f8
+    velocity_before_x: f8
+    velocity_before_y: f8
 
 
 SHAPE = dtype_of(ShapeRow)

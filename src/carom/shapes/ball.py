@@ -134,8 +134,7 @@ class Ball(Round[BallRow]):
         radius = floats[at + RADIUS]
         if not (isfinite(abs(x) + radius) and isfinite(abs(y) + radius)):
             raise refuse(name, LEAVES, value)
-        floats[at + X], floats[at + Y] = x, y
-        self._change()
+        self._go(at + X, x, y)
 
     @property
     def velocity(self) -> Vector:
@@ -149,11 +148,15 @@ class Ball(Round[BallRow]):
     @setting
     def velocity(self, value: Pair) -> None:
         vx, vy = pair("velocity", value)
-        table = self._table
-        at = table.at(self)
-        floats = table.floats
-        floats[at + VX], floats[at + VY] = vx, vy
-        self._change()
+        self._go(self._table.at(self) + VX, vx, vy)
+
+    def _go(self, at: int, x: float, y: float) -> None:
+        """Write where the ball is, or how fast it moves, by words of the table; a step sees by itself whose that is."""
+        floats = self._table.floats
+        if floats[at] != x or floats[at + 1] != y:
+            floats[at], floats[at + 1] = x, y
+            if self._world is not None:
+                self._world._note_change()
 
     @property
     def radius(self) -> float:
@@ -175,8 +178,7 @@ class Ball(Round[BallRow]):
     @mass.setter
     @setting
     def mass(self, value: float) -> None:
-        self._row["mass"] = positive("mass", value)
-        self._change()
+        self._put("mass", positive("mass", value))
 
     @property
     def friction(self) -> float | None:
@@ -187,8 +189,7 @@ class Ball(Round[BallRow]):
     @friction.setter
     @setting
     def friction(self, value: float | None) -> None:
-        self._row["friction"] = _friction(value)
-        self._change()
+        self._put("friction", _friction(value))
 
     @property
     def asleep(self) -> bool:

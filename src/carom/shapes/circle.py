@@ -48,8 +48,7 @@ class Circle(RoundShape):
     @solid.setter
     @setting
     def solid(self, value: bool) -> None:
-        self._row["solid"] = flag("solid", value)
-        self._change()
+        self._put("solid", flag("solid", value))
 
     @property
     def length(self) -> float:

@@ -28,7 +28,8 @@ class Member(Named, ABC, Generic[R]):
     """A shape or ball: a view of the row `_row`, which is the only place where its state is.
 
     A world takes a member in with `_enter`, gives it back with `_leave`, and makes the object for a row that it
-    already has with `_of_row`. Every setter checks, then writes, then calls `_change`, which tells the world.
+    already has with `_of_row`. Every setter checks, then writes, and where that is a change tells the world, with
+    `_change`.
     """
 
     __slots__ = ("__weakref__", "_id", "_index", "_table", "_world", "user")
@@ -61,7 +62,7 @@ class Member(Named, ABC, Generic[R]):
     def _enter(self, world: Home, table: RowTable[R], index: int, member_id: int) -> None:
         """Be a view of `table.rows[index]`, where the world has put a copy of the row and an id.
 
-        From here on `_change` calls `world._changed()`. The caller has made sure that the member is in no world.
+        From here on `_change` calls `world._changed`. The caller has made sure that the member is in no world.
         """
         # Past the look at their names, for thousands may come at once.
         _set(self, "_table", table)
@@ -101,12 +102,19 @@ class Member(Named, ABC, Generic[R]):
     def _change(self) -> None:
         """Tell the world that the row was changed from outside."""
         if self._world is not None:
-            self._world._changed()
+            self._world._changed(self)
 
     def _write(self, row: R) -> None:
         """Make `row`, which was checked, the member's row, and tell the world."""
-        self._table.write(self, row)
-        self._change()
+        if self._table.write(self, row):
+            self._change()
+
+    def _put(self, field: str, value: Any) -> None:
+        """Write one field, whose value was checked, and tell the world."""
+        row: Any = self._row
+        if row[field] != value:
+            row[field] = value
+            self._change()
 
     # -- copies: lone, whatever the original is in; the copy of a world takes in those that were copied with it ------
 
@@ -157,8 +165,7 @@ class Member(Named, ABC, Generic[R]):
     @elasticity.setter
     @setting
     def elasticity(self, value: float) -> None:
-        self._row["elasticity"] = non_negative("elasticity", value)
-        self._change()
+        self._put("elasticity", non_negative("elasticity", value))
 
     @property
     def sensor(self) -> bool:
@@ -168,8 +175,7 @@ class Member(Named, ABC, Generic[R]):
     @sensor.setter
     @setting
     def sensor(self, value: bool) -> None:
-        self._row["sensor"] = flag("sensor", value)
-        self._change()
+        self._put("sensor", flag("sensor", value))
 
     @property
     def can_collide(self) -> bool:
@@ -179,8 +185,7 @@ class Member(Named, ABC, Generic[R]):
     @can_collide.setter
     @setting
     def can_collide(self, value: bool) -> None:
-        self._row["can_collide"] = flag("can_collide", value)
-        self._change()
+        self._put("can_collide", flag("can_collide", value))
 
     @property
     def layer(self) -> int:
@@ -190,8 +195,7 @@ class Member(Named, ABC, Generic[R]):
     @layer.setter
     @setting
     def layer(self, value: int) -> None:
-        self._row["layer"] = layers("layer", value)
-        self._change()
+        self._put("layer", layers("layer", value))
 
     @property
     def collides_with(self) -> int:
@@ -201,8 +205,7 @@ class Member(Named, ABC, Generic[R]):
     @collides_with.setter
     @setting
     def collides_with(self, value: int) -> None:
-        self._row["collides_with"] = layers("collides_with", value)
-        self._change()
+        self._put("collides_with", layers("collides_with", value))
 
     @property
     @abstractmethod

@@ -81,9 +81,8 @@ class Mover(OnRails, Member[ShapeRow]):
         return row
 
     def _write(self, row: ShapeRow) -> None:
-        before = None if self._world is None else self._table.copied(self)
-        self._table.write(self, row)
-        if self._world is not None:
+        before = self._table.copied(self)
+        if self._table.write(self, row) and self._world is not None:
             self._world._moved(self, before)
 
     def _check(self, row: ShapeRow, name: str, value: object) -> None:

@@ -135,9 +135,11 @@ class OnRails(Named):
         """Have `write` check and write what was set of the motion; it refuses the first row before any has changed."""
         self._refuse_part(name, value)
         movers = self._carried
+        before = [mover._table.copied(mover) for mover in movers]
         for mover in movers:
             write(mover._row, value)
-        self._set_going(movers)
+        if any(mover._row != row for mover, row in zip(movers, before, strict=True)):
+            self._set_going(movers)
 
     def _set_going(self, movers: Sequence[Mover]) -> None:
         """Tell the world, if there is one, that shapes were set to move otherwise."""
@@ -164,7 +166,10 @@ class OnRails(Named):
         if angular_velocity != 0.0 and table.octets[8 * begin + MOTION] != KINEMATIC:
             raise not_kinematic("angular_velocity", value)
         world, member = first._world, first._id or 0
-        together = world is not None and not floats[begin + TIME_LEFT] > 0.0
+        sent = floats[begin + TIME_LEFT] > 0.0
+        if floats[begin + ANGULAR_VELOCITY] == angular_velocity and not sent:
+            return
+        together = world is not None and not sent
         if together:
             # In a world rows with ids that follow each other do so too, as those of most compounds; and what is sent
             # somewhere is sent as a whole. This is asked of flippers all the time.
@@ -220,6 +225,11 @@ class OnRails(Named):
         movers = self._carried
         if (x != 0.0 or y != 0.0) and not movers[0]._is_kinematic():
             raise not_kinematic("velocity", value)
+        at = movers[0]._table.at(movers[0])
+        floats = movers[0]._table.floats
+        same = floats[at + VELOCITY_X] == x and floats[at + VELOCITY_Y] == y
+        if same and not floats[at + TIME_LEFT] > 0.0:
+            return
         for mover in movers:
             at = mover._halted()
             floats = mover._table.floats

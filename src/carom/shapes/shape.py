@@ -155,11 +155,6 @@ class Shape(Mover):
     def once(self, value: bool) -> None:
         self._put("once", flag("once", value))
 
-    def _put(self, field: Surface, value: Any) -> None:
-        """Write one field, whose value was checked, and tell the world."""
-        self._row[field] = value
-        self._change()
-
     @property
     def aabb(self) -> Aabb:
         """The smallest box around it."""

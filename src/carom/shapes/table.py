@@ -26,8 +26,11 @@ class Home(Protocol):
 
     _turn: Turn
 
-    def _changed(self) -> None:
+    def _changed(self, member: Any) -> None:
         """Called after a member's row was changed from outside."""
+
+    def _note_change(self) -> None:
+        """Called instead where a ball was put elsewhere or was set to move otherwise, and nothing else was."""
 
     def _set_going(self) -> None:
         """Called instead where shapes were set to move otherwise, and are where they were."""
@@ -97,9 +100,15 @@ class RowTable(Generic[R]):
         self.octets = memoryview(self.rows.view(np.uint8))  # type: ignore[arg-type]
         self._seen = self.rows
 
-    def write(self, owner: Owner, row: R) -> None:
-        """Copy the fields of `row` into `owner`'s row."""
-        self.rows[self.index(owner)] = row
+    def write(self, owner: Owner, row: R) -> bool:
+        """Whether that was another one: `row` is `owner`'s row from here on."""
+        at = self.at(owner)
+        given: Any = row
+        before, after = self.octets[8 * at : 8 * (at + self.width)], given.tobytes()
+        if before == after:
+            return False
+        before[:] = after
+        return True
 
 
 def word_of(dtype: np.dtype[Any], field: str) -> int:

@@ -34,7 +34,7 @@ from carom.world.removal import remove_rows
 from carom.world.search import Search
 from carom.world.tables import Arrays
 from carom.world.views import Balls, Shapes, see_lent
-from carom.world.waking import will_wake
+from carom.world.waking import begin_anew, will_wake
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -145,6 +145,7 @@ class Members:
     def _take_in(self, shapes: Sequence[Any]) -> None:
         """Make rows and objects of what comes in; raises where something may not."""
         members = entering(self, shapes)
+        see_lent(self._world)
         first = self._arrays.shape_table.count
         self._enter([member for each in members for member in each])
         for shape, each in zip(shapes, members, strict=True):
@@ -254,6 +255,7 @@ class Members:
         if far.any():
             first = int(np.argmax(far))
             raise checks.refuse(f"position[{first}]", "must leave the ball's box finite", tuple(places[first].tolist()))
+        see_lent(self._world)
         table = self._arrays.balls
         table.reserve(table.count + count, doubling=False)
         rows["id"] = self._next_ids(count)
@@ -293,6 +295,7 @@ class Members:
 
     def _remove(self, balls: NDArray[np.bool_], shapes: NDArray[np.bool_], what: int = CHANGED) -> None:
         """Detach the objects of rows and take the rows out, which changes so much for the others."""
+        see_lent(self._world)
         for table, gone in ((self._arrays.balls, balls), (self._arrays.shape_table, shapes)):
             for index in np.flatnonzero(gone).tolist():
                 member_id = table.id_at(index)
@@ -340,10 +343,17 @@ class Members:
 
     # -- changes -----------------------------------------------------------------------------------------------------
 
-    def _changed(self) -> None:
-        """Take note that a member was changed from outside, but not where and how it lies or moves."""
+    def _note_change(self) -> None:
+        """Take note that something was changed from outside, but not where and how a shape lies or moves."""
         if self._halves[WAKE] == 0:
             self._halves[WAKE] = CHANGED
+
+    def _changed(self, member: Shape | Ball) -> None:
+        """Take note that a member was, by which the ball, or those that the shape holds, begin new flights."""
+        arrays = self._arrays
+        index = arrays.table_of(member).index(member)
+        begin_anew(arrays, np.array([index]) if member._KIND == BALL_KIND else arrays.held_by(index))
+        self._note_change()
 
     def _set_going(self) -> None:
         """Take note that shapes were set to move otherwise, which are where they were."""
@@ -352,18 +362,21 @@ class Members:
 
     def _moved(self, shape: Shape, before: ShapeRow) -> None:
         """Take note that a shape was laid elsewhere, or set to move otherwise, which was in a row like `before`."""
-        row, layout = shape._row, self._arrays.layout
+        row, layout, index = shape._row, self._arrays.layout, shape._table.index(shape)
+        begin_anew(self._arrays, self._arrays.held_by(index))
         if row["motion"] == before["motion"] == KINEMATIC:
             self._set_going()
         elif row["motion"] == before["motion"]:
-            layout.note_moved(shape._table.index(shape), before)
+            layout.note_moved(index, before)
             self._rearrange(CHANGED)
         else:
-            layout.note_other_motion(shape._table.index(shape), before, int(row["motion"]))
+            layout.note_other_motion(index, before, int(row["motion"]))
             self._rearrange(MOTIONS_CHANGED)
 
-    def _changed_all(self) -> None:
-        """Take note that a setting was changed, or that balls may have been."""
+    def _changed_all(self, of_flights: bool) -> None:
+        """Take note that a setting was changed, by which flights maybe begin anew."""
+        if of_flights:
+            begin_anew(self._arrays, np.ones(self._arrays.balls.count, np.bool_))
         self._arrays.layout.forget()
         self._rearrange(MOTIONS_CHANGED)
 

@@ -7,11 +7,12 @@ from numpy.typing import NDArray
 
 from carom.rows.ball import BallRow
 from carom.rows.hit import EXIT, HIT_ROW
-from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, NO_RELATION, RelationRow
+from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, LYING, NO_RELATION, RelationRow
 from carom.rows.tables import Numbered
 from carom.world.kernels.step.hits import write_hit
 from carom.world.kernels.step.relations import add_relation, is_of_balls
 from carom.world.tables import OF_BALLS, Arrays
+from carom.world.waking import begin_anew
 
 #: A relation outside of the pool: kind, row of the ball, row of the other, force on the ball along x and y.
 Relation = tuple[int, int, int, float, float]
@@ -69,17 +70,23 @@ def _is_met(arrays: Arrays, shapes: NDArray[np.bool_]) -> bool:
 
 
 def _ended(arrays: Arrays, balls: NDArray[np.bool_], shapes: NDArray[np.bool_]) -> list[Relation]:
-    """The relations that stay when what the masks name goes, by the rows that balls have then."""
+    """The relations that stay when what the masks name goes, by the rows that balls have then.
+
+    A ball that was held by that, or lay on it, is to begin a new flight.
+    """
     kept: list[Relation] = []
+    let_go = np.zeros(len(balls), np.bool_)
     new_ball = np.cumsum(~balls) - 1
     for kind, ball, other, force_x, force_y in relations_in_order(arrays):
         others, gone = (arrays.balls.used, balls) if is_of_balls(kind) else (arrays.shape_table.used, shapes)
         if balls[ball] or gone[other]:
             if kind in (INSIDE_SHAPE, INSIDE_BALL):
                 _exit(arrays, arrays.balls.used[ball], others[other])
+            let_go[ball] |= kind in (LASTING, LYING)
         else:
             moved = int(new_ball[other]) if is_of_balls(kind) else other
             kept.append((kind, int(new_ball[ball]), moved, force_x, force_y))
+    begin_anew(arrays, let_go)
     return kept
 
 

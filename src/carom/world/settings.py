@@ -42,7 +42,8 @@ Field: TypeAlias = Literal[
 class Setting(Generic[T, S]):
     """An attribute of `World` that checks a value, then writes it into the state's row, and reads it from there.
 
-    Its default is that of the keyword argument of `World`.
+    Its default is that of the keyword argument of `World`. One `of_flights` says how balls fly: when it is changed, all
+    begin new flights.
     """
 
     def __init__(
@@ -51,11 +52,13 @@ class Setting(Generic[T, S]):
         write: Callable[[StateRow, T], None],
         read: Callable[[StateRow], T],
         doc: str,
+        of_flights: bool = False,
     ) -> None:
         self.check = check
         self._write = write
         self._read = read
         self.__doc__ = doc
+        self._of_flights = of_flights
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -74,8 +77,11 @@ class Setting(Generic[T, S]):
 
     def _set(self, world: World, value: T) -> None:
         """Write a value that was checked into the state of a world."""
-        self._write(world._states[0], value)
-        world._changed_all()
+        state: Any = world._states[0]
+        before = state.tobytes()
+        self._write(state, value)
+        if state.tobytes() != before:
+            world._changed_all(self._of_flights)
 
 
 def plain(
@@ -84,16 +90,19 @@ def plain(
     read: Callable[[Any], T],
     doc: str,
     written: Callable[[T], Any] = lambda value: value,
+    of_flights: bool = False,
 ) -> Setting[T, T]:
     """A setting that is one field of the state, with how its value is checked, read and, unless as it is, written."""
 
     def write(state: StateRow, value: T) -> None:
         state[field] = written(value)
 
-    return Setting(check, write, lambda state: read(state[field]), doc)
+    return Setting(check, write, lambda state: read(state[field]), doc, of_flights)
 
 
-def optional(field: Field, check: Callable[[str, Any], float], doc: str) -> Setting[float | None, float | None]:
+def optional(
+    field: Field, check: Callable[[str, Any], float], doc: str, of_flights: bool = False
+) -> Setting[float | None, float | None]:
     """A setting that is one number or None."""
     return plain(
         field,
@@ -101,6 +110,7 @@ def optional(field: Field, check: Callable[[str, Any], float], doc: str) -> Sett
         lambda number: None if number < 0.0 else float(number),
         doc,
         lambda value: NONE if value is None else value,
+        of_flights,
     )
 
 
@@ -120,9 +130,10 @@ def limit(field: Field, most: int, doc: str) -> Setting[int | None, int | None]:
     )
 
 
-def choice(field: Field, words: tuple[W, ...], doc: str) -> Setting[W, W]:
+def choice(field: Field, words: tuple[W, ...], doc: str, of_flights: bool = False) -> Setting[W, W]:
     """A setting that is one of several words."""
-    return plain(field, lambda name, value: checks.one_of(name, value, words), words.__getitem__, doc, words.index)
+    check: Callable[[str, Any], W] = lambda name, value: checks.one_of(name, value, words)  # noqa: E731
+    return plain(field, check, words.__getitem__, doc, words.index, of_flights)
 
 
 def vector(doc: str) -> Setting[Vector, Pair]:
@@ -131,7 +142,7 @@ def vector(doc: str) -> Setting[Vector, Pair]:
     def write(state: StateRow, value: Vector) -> None:
         state["gravity_x"], state["gravity_y"] = value
 
-    return Setting(checks.pair, write, lambda state: (float(state["gravity_x"]), float(state["gravity_y"])), doc)
+    return Setting(checks.pair, write, lambda state: (float(state["gravity_x"]), float(state["gravity_y"])), doc, True)
 
 
 def box(doc: str) -> Setting[Aabb | None, Sides | None]:
@@ -162,7 +173,7 @@ def box(doc: str) -> Setting[Aabb | None, Sides | None]:
             return None
         return Aabb(float(state["left"]), float(state["bottom"]), float(state["right"]), float(state["top"]))
 
-    return Setting(check, write, read, doc)
+    return Setting(check, write, read, doc, True)
 
 
 class Settings:
@@ -174,6 +185,7 @@ class Settings:
         DETECTIONS,
         "How collisions are found. `continuous`: times of impact, dealt with in their order; nothing tunnels, paths are"
         " exact. `discrete`: overlaps, looked for after moving; fast, and fast balls may tunnel.",
+        of_flights=True,
     )
     substeps = count(
         "substeps", MOST_SUBSTEPS, "Motion iterations per step (discrete; without effect in the continuous mode)."
@@ -197,15 +209,21 @@ class Settings:
         checks.non_negative,
         float,
         "Deceleration of every ball that has no friction of its own, in length/s².",
+        of_flights=True,
     )
-    sleep_speed = plain("sleep_speed", checks.non_negative, float, "Speed below which a ball may fall asleep.")
-    sleep_time = plain("sleep_time", checks.non_negative, float, "Seconds below `sleep_speed` before a ball sleeps.")
+    sleep_speed = plain(
+        "sleep_speed", checks.non_negative, float, "Speed below which a ball may fall asleep.", of_flights=True
+    )
+    sleep_time = plain(
+        "sleep_time", checks.non_negative, float, "Seconds below `sleep_speed` before a ball sleeps.", of_flights=True
+    )
     rest_speed = optional(
         "rest_speed",
         checks.non_negative,
         "Speed of approach below which an inelastic contact comes to rest; by default twice what gravity adds in a"
         " substep, or, continuous, where a ball that something presses on would rebound by less than a thousandth of"
         " its radius.",
+        of_flights=True,
     )
     max_speed = optional("max_speed", checks.positive, "A faster ball is slowed to this after a response.")
     max_impacts = limit(
@@ -220,6 +238,7 @@ class Settings:
         checks.flag,
         bool,
         "Whether strays are removed when the step ends; in the continuous mode they meet nothing once they have left.",
+        of_flights=True,
     )
 
 

@@ -17,7 +17,7 @@ from carom.rows.flight import FLIGHT, QUEUE
 from carom.rows.hit import HIT, HIT_ROW
 from carom.rows.index import CELL, INDEX, SLOT
 from carom.rows.island import BODY, ISLAND_CONTACT
-from carom.rows.relation import INSIDE_BALL, LYING, RELATION
+from carom.rows.relation import INSIDE_BALL, LASTING, LYING, NO_RELATION, RELATION
 from carom.rows.saved import SAVED
 from carom.rows.shape import BALL_KIND, SHAPE, ShapeRow
 from carom.rows.state import DISCRETE, NEEDS_ROOM, STALE, STATE, StateRow
@@ -229,6 +229,13 @@ class Arrays:
             table.rows = grown(rows, max(len(table.rows), len(rows)), len(rows))
             table.count = len(rows)
         self.layout.clear()
+
+    def held_by(self, shape: int) -> NDArray[np.int32]:
+        """The rows of the balls that the shape in a row holds."""
+        pool = self.relations[: int(self.states[0]["relations_high"])]
+        # Those that are free are of no ball.
+        held: NDArray[np.int32] = pool["ball"][(pool["kind"] == LASTING) & (pool["other"] == shape)]
+        return np.extract(held != NO_RELATION, held)
 
     def note_come(self, first: int) -> None:
         """Take note of the shapes that have come in, from a row of their table on."""

@@ -17,6 +17,7 @@ from carom.shapes.compound import Compound
 from carom.shapes.group import Group
 from carom.shapes.shape import Shape
 from carom.spelling import hint
+from carom.world.waking import begin_anew
 
 if TYPE_CHECKING:
     from carom.shapes.ball import Ball
@@ -188,8 +189,9 @@ def see_lent(world: World) -> None:
         return
     if len(lent) != len(rows):
         world._lent = None
-    elif not np.array_equal(lent, rows[LENT]):
-        world._changed()
+    elif (changed := lent != rows[LENT]).any():
+        begin_anew(world._arrays, changed)
+        world._note_change()
         world._lent = rows[LENT].copy()
 
 

@@ -1,10 +1,11 @@
-"""Whether a step is to begin with waking all balls."""
+"""What was changed from outside: whose flights are to begin anew, and whether a step begins with waking all balls."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.rows.state import CHANGED, DISCRETE
 from carom.rows.tables import Rows
@@ -13,9 +14,20 @@ from carom.world.kernels.step.beginning import was_changed
 from carom.world.tables import Arrays
 
 
-def note_changed(states: Rows, which: Any = ...) -> None:
-    """Have the next steps of the worlds with some states, `which` of all, wake their balls; motions go on."""
+def note_changed(states: Rows, which: NDArray[np.bool_]) -> None:
+    """Have the next steps of the worlds with some states, `which` a mask says, wake their balls; motions go on."""
     states["wake"][which] = np.maximum(states["wake"][which], CHANGED)
+
+
+def begin_anew(arrays: Arrays, which: NDArray[Any]) -> None:
+    """Have the next step begin new flights of the balls that a mask or indices name: they are not what they were.
+
+    One that has come since the last step has none yet, and is passed over.
+    """
+    flying = min(arrays.balls.count, len(arrays.flights) // 2)
+    ids = arrays.flights["id"][:flying]
+    named = which[:flying] if which.dtype.kind == "b" else which[which < flying]
+    ids[named] = -np.abs(ids[named])
 
 
 def will_wake(arrays: Arrays) -> int:

@@ -156,13 +156,20 @@ def lent_columns(memory: Memory) -> Rows:
 
 
 def wake_changed(memory: Memory, lent: Rows) -> None:
-    """Have the copies wake of which such columns are not what they were, where that makes a difference."""
-    changed = np.zeros(len(lent), np.bool_)
+    """Have the copies wake of which such columns are not what they were, where that makes a difference.
+
+    A ball that is not what it was begins a new flight.
+    """
+    changed = np.zeros(lent.shape, np.bool_)
     for name in LENT:
-        # What a ball has that is not in play means nothing.
-        changed |= ((memory.balls[name] != lent[name]) & memory.in_play).any(axis=1)
+        changed |= memory.balls[name] != lent[name]
+    # What a ball has that is not in play means nothing.
+    changed &= memory.in_play
+    if memory.layout[0]["flights_at"]:
+        ids = memory.flights["id"]
+        ids[changed] = -np.abs(ids[changed])
     matters = (memory.state["sleeping"] > 0) | (memory.state["detection"] != DISCRETE)
-    note_changed(memory.state, changed & matters)
+    note_changed(memory.state, changed.any(axis=1) & matters)
 
 
 def chosen(name: str, where: Any, count: int) -> NDArray[Any]:

@@ -141,16 +141,19 @@ class CopiesOfShape:
     def _write_speeds(self, fields: dict[str, NDArray[np.float64]]) -> None:
         common = self._worlds._common
         memory = common.memory
+        changed = np.zeros(len(memory.state), np.bool_)
         # What leads a compound is enough: the others follow it as a copy is taken out.
         for column in self._columns.tolist() if common.sent else self._columns[:1].tolist():
             row = memory.moving[:, column]
             if common.sent:
                 sent = row["time_left"] > 0.0
+                changed |= sent
                 for field in ("time_left", "velocity_x", "velocity_y", "angular_velocity"):
                     row[field][sent] = 0.0
             for field, values in fields.items():
+                changed |= row[field] != values
                 row[field] = values
-        memory.state["wake"] = MOTIONS_CHANGED
+        memory.state["wake"][changed] = MOTIONS_CHANGED
 
     def _set_each(self, name: str, values: NDArray[np.float64]) -> None:
         """Set what a single shape checks and works out by itself, copy by copy; nothing has changed if one refuses."""
@@ -168,8 +171,9 @@ class CopiesOfShape:
             table.rows[self._rows] = rows[copy]
             setattr(shape, name, value if np.ndim(value) else float(value))
             rows[copy] = table.rows[self._rows]
+        changed = (memory.moving[:, self._columns] != rows).any(axis=1)
         memory.moving[:, self._columns] = rows
-        memory.state["wake"] = MOTIONS_CHANGED
+        memory.state["wake"][changed] = MOTIONS_CHANGED
 
     # -- whether it is there -----------------------------------------------------------------------------------------
 
@@ -205,12 +209,14 @@ class CopiesOfShape:
         for row, column in self._parts():
             if column < 0 and row not in common.switched:
                 self._worlds._switch(np.array([row], np.int32))
+        changed = np.zeros(len(values), np.bool_)
         for row, column in self._parts():
+            changed |= self._switch_of(row, column) != values
             if column >= 0:
                 common.memory.moving[:, column]["can_collide"] = values
             else:
                 common.memory.switches[:, np.flatnonzero(common.switched == row)[0], 0] = values
-        note_changed(common.memory.state)
+        note_changed(common.memory.state, changed)
 
     # -- what has happened -------------------------------------------------------------------------------------------
 

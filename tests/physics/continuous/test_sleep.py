@@ -6,7 +6,7 @@ from math import sqrt
 import pytest
 
 from carom import Ball, Segment, World
-from carom.world.kernels.continuous.movers import begin_motions
+from carom.world.kernels.continuous.movers import take_up_changed
 from tests.worlds import continuous_world
 
 #: Worlds in which slow balls fall asleep.
@@ -23,7 +23,7 @@ def turn_quietly(world: World, spin: float) -> None:
     arrays, state = world._arrays, world._arrays.states[0]
     arrays.shapes.rows[0]["angular_velocity"] = spin
     state["now"], state["now_low"] = state["time"], state["time_low"]
-    begin_motions(state, arrays.shapes.rows, arrays.order)
+    take_up_changed(state, arrays.shapes.rows, arrays.order)
     state["foreseen"] = 0
 
 

@@ -37,7 +37,10 @@ class Home:
         self.changes = 0
         self._turn = Turn()
 
-    def _changed(self) -> None:
+    def _changed(self, member: Member) -> None:
+        self.changes += 1
+
+    def _note_change(self) -> None:
         self.changes += 1
 
     def _set_going(self) -> None:

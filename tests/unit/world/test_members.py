@@ -1,9 +1,13 @@
 """The members of a world: what comes back, the ids, the parts of compounds, and what may not come in."""
 
+import inspect
+
 import numpy as np
 import pytest
 
 import carom
+from carom.typing import Detection
+from carom.world.settings import SETTINGS
 
 
 def test_what_is_added_comes_back_and_is_in_the_world() -> None:
@@ -137,3 +141,30 @@ def test_balls_that_are_refused_use_no_ids() -> None:
     with pytest.raises(carom.InvalidArgument, match=r"position\[1\] must leave the ball's box finite"):
         world.add_balls([(0, 0), (1e308, 0)], radius=1e308)
     assert world.digest() == carom.World().digest()
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_what_is_set_to_what_it_is_was_not_changed(detection: Detection) -> None:
+    members = [
+        carom.Point((1, 2)),
+        carom.Segment((3, 4), (5, 4), motion="kinematic", turn_limits=(-1, 1)),
+        carom.Gate((6, 7), (8, 7), direction=(0, 1)),
+        carom.Circle((10, 10), 1, elasticity=0.5, kick=2.0),
+        carom.Arc((20, 10), 2, 0.5, 2.5, sensor=True),
+        carom.Compound([carom.Segment((30, 1), (31, 1)), carom.Point((32, 0))], (30, 1)),
+        carom.Group([carom.Segment((40, 1), (41, 1))], once=True),
+        carom.Ball((50, 1), 0.5, velocity=(0, 1), mass=2, friction=0.25),
+    ]
+    world = carom.World(detection=detection, friction=0.5)
+    world.add(*members)
+    world.step(0.125)
+    rows, count = world._arrays.shapes.used.tobytes() + world._arrays.balls.used.tobytes(), 0
+    for thing in (world, *members):
+        for name, attribute in inspect.getmembers(type(thing)):
+            if getattr(attribute, "fset", None) is not None or name in SETTINGS:
+                setattr(thing, name, getattr(thing, name))
+                assert world._will_wake() == 0, (thing, name)
+                count += 1
+    assert world._arrays.shapes.used.tobytes() + world._arrays.balls.used.tobytes() == rows
+    assert detection == "discrete" or (world._arrays.flights["id"][:1] > 0).all()
+    assert count > 120

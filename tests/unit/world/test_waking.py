@@ -49,5 +49,3 @@ def test_states_of_many_worlds_are_told_of_changes() -> None:
     states["wake"] = 0, 0, MOTIONS_CHANGED, 0
     note_changed(states, np.array([True, False, True, False]))
     assert states["wake"].tolist() == [CHANGED, 0, MOTIONS_CHANGED, 0]
-    note_changed(states)
-    assert states["wake"].tolist() == [CHANGED, CHANGED, MOTIONS_CHANGED, CHANGED]

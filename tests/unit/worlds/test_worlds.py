@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import carom
+from carom.typing import Detection
 from carom.worlds import keeping
-from tests.worlds import game_table, world_of
+from tests.worlds import box, game_table, world_of
 
 DT = 1 / 50
 
@@ -297,3 +298,33 @@ def test_the_mask_of_who_is_in_play_acts_whenever_it_is_asked_for(early: bool) -
     worlds.reset([0])
     worlds.step(0.0)
     assert worlds.balls.in_play.tolist() == [[True, True], [True, False], [False, True]]
+
+
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_what_is_written_to_copies_gives_the_bits_of_what_is_set_of_objects(detection: Detection) -> None:
+    base = carom.World(gravity=(0, -3), detection=detection, sleep_speed=0.01)
+    base.add(*box(6, 6), carom.Circle((2, 2), 0.7, sensor=True))
+    base.add(carom.Segment((3, 3), (5, 3.5), motion="kinematic", angular_velocity=1.0, elasticity=0.8))
+    base.add(carom.Circle((1, 4), 0.3))
+    for k in range(5):
+        base.add(carom.Ball((1 + k, 1.5 + 0.7 * k), 0.25, velocity=(3 - k, 1), elasticity=0.9))
+    worlds, singles = carom.Worlds(base, 3), [copy.copy(base) for _ in range(3)]
+    random = np.random.default_rng(7)
+    for k in range(60):
+        ball, one = int(random.integers(5)), int(random.integers(3))
+        vx, mass, spin = random.uniform(-4, 4), float(random.integers(1, 4)), float(random.integers(0, 3))
+        single = singles[one]
+        worlds.balls.velocity[one, ball], single.balls[ball].velocity = (vx, 1.0), (vx, 1.0)
+        worlds.balls.mass[one, ball] = single.balls[ball].mass = mass
+        spins = worlds.shapes[5].angular_velocity
+        spins[one] = spin
+        worlds.shapes[5].angular_velocity = spins
+        single.shapes[5].angular_velocity = spin  # type: ignore[union-attr]
+        switches = worlds.shapes[6].can_collide
+        switches[one] = k % 3 > 0
+        worlds.shapes[6].can_collide = switches
+        single.shapes[6].can_collide = k % 3 > 0
+        worlds.step(1 / 60)
+        for other in singles:
+            other.step(1 / 60)
+        assert worlds.digests() == [other.digest() for other in singles]

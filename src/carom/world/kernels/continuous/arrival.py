@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
+from carom.geometry.path import Path, place_on
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, IN_PART, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
@@ -15,12 +16,15 @@ from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import is_any_near, kinematic_near, next_near
 from carom.world.kernels.broad_phase.shape_index import FIXED, cell_span, locate
-from carom.world.kernels.continuous.flight import age_now, place_after
+from carom.world.kernels.continuous.flight import age_now, path_of, place_after
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slide_on
 from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
 from carom.world.kernels.step.relations import add_relation, find_relation, has_kind
+
+#: Halvings of the time of a path by which it is found when a ball came deep into a shape: down to its rounding.
+ENTRY_HALVINGS = 52
 
 
 def arrive(
@@ -45,7 +49,7 @@ def arrive(
     keep_course(state, ball, flights, i)
     flight["version"] += 1
     age = age_now(state, flight)
-    from_x, from_y = float(ball["x"]), float(ball["y"])
+    path = path_of(ball, flight)
     flight["slow_for"] = age - slow_since(state, ball, flight, age)
     if ball["relation"] == NO_RELATION or not slide_on(state, ball, flight, shapes, relations, age):
         fly_on(ball, flight, age)
@@ -59,7 +63,7 @@ def arrive(
     flight["low_vy"] = 0.0
     if age > 0.0 and flight["kind"] == FLYING:
         note_all_passing(
-            state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, from_x, from_y, met
+            state, ball, flight, i, shapes, (index, cells, members), relations, 0.0, age, path, met
         )  # fmt: skip
 
 
@@ -145,11 +149,10 @@ def note_all_passing(
     relations: Table[RelationRow],
     ahead: float,
     age: float,
-    from_x: float,
-    from_y: float,
+    path: Path,
     met: int,
 ) -> None:
-    """Let a ball pass the shapes that it overlaps and came into past an end since it was at `from`, `age` seconds ago.
+    """Let a ball pass the shapes that it overlaps and came into past an end since its `path` began, `age` seconds ago.
 
     All but the one in row `met`. Its row is where it is `ahead` seconds after its flight began.
 
@@ -162,12 +165,12 @@ def note_all_passing(
     for k in range(begin, end):
         row = row_of(members[k])
         if row != met:
-            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
+            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, path)
     near, wide = kinematic_near(index, cells, x, y)
     while is_any_near(near, wide):
         row, near, wide = next_near(shapes, members, near, wide)
         if row != met:
-            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, from_x, from_y)
+            note_passing(state, ball, flight, i, shapes, row, relations, ahead, age, path)
 
 
 def note_passing(
@@ -180,8 +183,7 @@ def note_passing(
     relations: Table[RelationRow],
     ahead: float,
     age: float,
-    from_x: float,
-    from_y: float,
+    path: Path,
 ) -> None:
     """Let a ball pass a shape if it overlaps it and came into it past an end."""
     x, y, radius = float(ball["x"]), float(ball["y"]), float(ball["radius"])
@@ -195,19 +197,53 @@ def note_passing(
         or y - radius > shape["top"]
     ):
         return
-    depth = LIFT if has_kind(relations, ball, LASTING) else END_DEPTH_CONTINUOUS
+    slides = has_kind(relations, ball, LASTING)
+    depth = (LIFT if slides else END_DEPTH_CONTINUOUS) * radius
     motion_age = age_of_motion(shape, flight) + ahead if is_moving(shape) else 0.0
     found = gap_to_shape(shape, motion_age, x, y, radius, 0.0, 0.0)
     if found is None:
         return
     gap, _nx, _ny = found
     if (
-        gap < -depth * radius
+        gap < -depth
         and shape["sensor"] == 0
         and ball["sensor"] == 0
         and may_collide(ball, shape)
         and not find_relation(relations, ball, PASSING, row)
         and not find_relation(relations, ball, LASTING, row)
-        and gap_to_shape(shape, motion_age - age, from_x, from_y, radius, 0.0, 0.0) is None
+        and was_past_end(shape, motion_age - age, path, radius, age, depth, slides)
     ):
         add_relation(state, relations, ball, i, PASSING, row)
+
+
+def was_past_end(
+    shape: ShapeRow, motion_age: float, path: Path, radius: float, age: float, depth: float, slides: bool
+) -> bool:
+    """True if a ball that is deep in a shape now was past its ends when its path began, or when it came to be so deep.
+
+    The path began `age` seconds ago, at an age of the shape's motion. Of one that `slides` only its beginning is known.
+    """
+    past, _deep = seen_on_path(shape, motion_age, path, radius, 0.0, depth)
+    if past or slides:
+        return past
+    low, high = 0.0, age
+    for _ in range(ENTRY_HALVINGS):
+        middle = 0.5 * (low + high)
+        past_then, deep = seen_on_path(shape, motion_age, path, radius, middle, depth)
+        if deep:
+            high = middle
+        else:
+            low, past = middle, past_then
+    return past
+
+
+def seen_on_path(
+    shape: ShapeRow, motion_age: float, path: Path, radius: float, time: float, depth: float
+) -> tuple[bool, bool]:
+    """Whether a ball is past the ends of a shape at a time of its path, and whether it is deep in it."""
+    x, y = place_on(path, time)
+    found = gap_to_shape(shape, motion_age + time, x, y, radius, 0.0, 0.0)
+    if found is None:
+        return True, False
+    gap, _nx, _ny = found
+    return False, gap < -depth

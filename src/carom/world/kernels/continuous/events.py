@@ -29,19 +29,19 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive, work_of_shift
+from carom.world.kernels.continuous.arrival import arrive, keep_course, seen_on_path, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
-from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep
+from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep, path_of
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
 from carom.world.kernels.continuous.jolt import jolt
 from carom.world.kernels.continuous.lasting import hold
-from carom.world.kernels.continuous.movers import change_movers
+from carom.world.kernels.continuous.movers import change_movers, changes_now
 from carom.world.kernels.continuous.predict import file_anew, is_filed_first, predict
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.rounding import keep_rounding, way_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.straying import cross_bounds
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
+from carom.world.kernels.continuous.surfaces import age_of_motion
 from carom.world.kernels.step.hits import cross_ball
 from carom.world.kernels.step.relations import add_relation, drop_kind, has_kind
 
@@ -69,15 +69,11 @@ def deal_with(
         return
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
-    if event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"]):
+    looks = event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"])
+    if looks or is_on_way(state, balls, shapes, index, cells, members, hits, relations, flights, island[0], i):
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
-    if event == STRAY:
-        bodies, _contacts = island
-        cross_bounds(state, balls, shapes, index, cells, members, hits, relations, flights, bodies, i)
-        predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
-        return
-    came, age = way_of(ball, flight), age_now(state, flight)
+    came = way_of(ball, flight)
     met = partner if event == HIT_SHAPE else NO_SHAPE
     arrive(state, balls, shapes, index, cells, members, flights, relations, i, met)
     second = partner if of_two else NO_BALL
@@ -90,8 +86,6 @@ def deal_with(
         else:
             drop_kind(state, relations, balls[high], INSIDE_BALL, low)
             cross_ball(state, hits[state["hits"]], float(state["now"]), EXIT, balls[high], balls[low])
-    elif event == HIT_SHAPE and came_past_end(ball, flight, shapes[partner], relations, came, age):
-        add_relation(state, relations, ball, i, PASSING, partner)
     elif event == HIT_SHAPE:
         struck, changed = True, True
         impact_with_shape(
@@ -104,6 +98,38 @@ def deal_with(
         state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, island, i, second,
         struck, changed,
     )  # fmt: skip
+
+
+def is_on_way(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    index: Table[IndexRow],
+    cells: Table[CellRow],
+    members: Table[int],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+    bodies: Table[BodyRow],
+    i: int,
+) -> bool:
+    """True if the next event of a ball leaves its path what it is, which then is dealt with.
+
+    It crosses the bounds, or comes off a shape that it passed, or onto a moving one past an end of that.
+    """
+    ball, flight = balls[i], flights[i]
+    event, partner = int(flight["event"]), row_of(flight["partner"])
+    if event == STRAY:
+        cross_bounds(state, balls, shapes, index, cells, members, hits, relations, flights, bodies, i)
+    elif event == CLEAR:
+        keep_course(state, ball, flights, i)
+        drop_kind(state, relations, ball, PASSING, partner)
+    elif event == HIT_SHAPE and came_past_end(state, ball, flight, shapes[partner], relations):
+        keep_course(state, ball, flights, i)
+        add_relation(state, relations, ball, i, PASSING, partner)
+    else:
+        return False
+    return True
 
 
 def fly_on_from(
@@ -150,33 +176,20 @@ def fly_on_from(
 
 
 def came_past_end(
-    ball: BallRow,
-    flight: FlightRow,
-    shape: ShapeRow,
-    relations: Table[RelationRow],
-    came: tuple[float, float, float, float, float, float],
-    age: float,
+    state: StateRow, ball: BallRow, flight: FlightRow, shape: ShapeRow, relations: Table[RelationRow]
 ) -> bool:
-    """True if a ball whose way began as it `came`, `age` seconds ago, has come onto a moving shape past an end of it.
+    """True if a ball has come onto a moving shape past an end of it since its flight began.
 
     Its sides are met at the touch; what is found deep in it, where a slice of time begins, has come in otherwise.
     """
+    age = age_now(state, flight)
     if age == 0.0 or shape["sensor"] != 0 or ball["sensor"] != 0 or not has_ends(shape["kind"]) or not is_moving(shape):
         return False
-    radius, time = float(ball["radius"]), age_of_motion(shape, flight)
+    radius, time, path = float(ball["radius"]), age_of_motion(shape, flight), path_of(ball, flight)
     depth = (LIFT if has_kind(relations, ball, LASTING) else END_DEPTH_CONTINUOUS) * radius
-    found = gap_to_shape(shape, time, float(ball["x"]), float(ball["y"]), radius, 0.0, 0.0)
-    if found is None:
-        return False
-    gap, _nx, _ny = found
-    if gap >= -depth:
-        return False
-    from_x, from_y, _vx, _vy, _low_vx, _low_vy = came
-    before = gap_to_shape(shape, time - age, from_x, from_y, radius, 0.0, 0.0)
-    if before is None:
-        return True
-    gap_before, _mx, _my = before
-    return bool(gap_before >= -depth)
+    _past, deep = seen_on_path(shape, time, path, radius, age, depth)
+    _past, was_deep = seen_on_path(shape, time, path, radius, 0.0, depth)
+    return deep and not was_deep
 
 
 def meet_balls(
@@ -236,8 +249,6 @@ def end_quietly(
     elif event == EXIT_SHAPE:
         drop_kind(state, relations, ball, INSIDE_SHAPE, partner)
         cross_edge(state, hits, EXIT, ball, flight, shapes[partner])
-    elif event == CLEAR:
-        drop_kind(state, relations, ball, PASSING, partner)
     elif event == STOP:
         ball["vx"] = 0.0
         ball["vy"] = 0.0
@@ -259,7 +270,7 @@ def change_shapes(
 ) -> None:
     """Let the shapes that stop or arrive now do so; balls that they hold begin new flights."""
     for i in range(state["balls"]):
-        if balls[i]["relation"] != NO_RELATION and is_held_by_mover(balls[i], shapes, relations):
+        if balls[i]["relation"] != NO_RELATION and is_held_by_changing(state, balls[i], shapes, relations):
             arrive(state, balls, shapes, index, cells, members, flights, relations, i, NO_SHAPE)
             if lies(relations, balls[i]):
                 hasten(state, balls, flights, relations, bodies, i)
@@ -269,11 +280,13 @@ def change_shapes(
             hold(state, balls[i], flights[i], shapes, relations, True)
 
 
-def is_held_by_mover(ball: BallRow, shapes: Table[ShapeRow], relations: Table[RelationRow]) -> bool:
-    """True if a moving shape holds a ball."""
+def is_held_by_changing(
+    state: StateRow, ball: BallRow, shapes: Table[ShapeRow], relations: Table[RelationRow]
+) -> bool:  # fmt: skip
+    """True if a shape holds a ball that stops or arrives now."""
     place = int(ball["relation"])
     while place != NO_RELATION:
-        if relations[place]["kind"] == LASTING and is_moving(shapes[relations[place]["other"]]):
+        if relations[place]["kind"] == LASTING and changes_now(state, shapes[relations[place]["other"]]):
             return True
         place = int(relations[place]["next"])
     return False

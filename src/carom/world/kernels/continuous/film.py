@@ -16,7 +16,7 @@ from carom.rows.index import CellRow, IndexRow, SlotRow
 from carom.rows.island import BodyRow, IslandContactRow
 from carom.rows.prefetch import prefetch, prefetch_lines
 from carom.rows.relation import RelationRow
-from carom.rows.saved import PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.saved import KEPT, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
     BEGIN,
@@ -45,6 +45,7 @@ from carom.world.kernels.continuous.frames import begin_film_step, finish_frame,
 from carom.world.kernels.continuous.predict import predict_all
 from carom.world.kernels.continuous.queue import front_of, row_of
 from carom.world.kernels.continuous.regions import rebuild_regions
+from carom.world.kernels.continuous.showing import is_as_shown
 from carom.world.kernels.step.discrete import find_pairs, meet_all_pairs
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.rounds import meet_all_shapes
@@ -89,7 +90,7 @@ def step_continuous(
             status = note_passed(state, balls, shapes, order, index, cells, members, relations, flights)  # fmt: skip
         elif stage == MOVE or stage == SHAPES or stage == FIND_PAIRS or stage == PAIRS:
             status = part_overlaps(
-                state, balls, shapes, (index, cells, members), (slots, starts, pairs), saved, hits, relations
+                state, balls, shapes, (index, cells, members), (slots, starts, pairs), saved, hits, relations, flights
             )  # fmt: skip
         elif stage == TAKE_UP:
             status = take_up(state, balls, shapes, order, hits, relations, flights, island[0])
@@ -122,13 +123,14 @@ def part_overlaps(
     saved: Table[SavedRow],
     hits: Table[HitRow],
     relations: Table[RelationRow],
+    flights: Table[FlightRow],
 ) -> int:
     """DONE when a stage has moved balls apart that overlap, and the next one is entered; else what it needs."""
     stage = state["stage"]
     _slots, _starts, pairs = pair_index
     status = DONE
     if stage == MOVE:
-        begin_parting(state, saved)
+        begin_parting(state, balls, flights, saved)
     elif stage == SHAPES:
         status = meet_all_shapes(state, balls, shapes, shape_index, pair_index, saved, hits, relations)
     elif stage == FIND_PAIRS and state["balls"] < 2 and state["found"] == 0:
@@ -142,12 +144,15 @@ def part_overlaps(
     return status
 
 
-def begin_parting(state: StateRow, saved: Table[SavedRow]) -> None:
+def begin_parting(
+    state: StateRow, balls: Table[BallRow], flights: Table[FlightRow], saved: Table[SavedRow]
+) -> None:  # fmt: skip
     """Make all balls due to be moved apart from what they overlap; the index of shapes is right, see `note_passed`."""
     state["iteration"] = 0
     state["found"] = 0
     for i in range(state["balls"]):
-        saved[i]["touched"] = SHAPES_DUE | PAIRS_DUE
+        kept = KEPT if is_as_shown(balls[i], flights[i]) else 0
+        saved[i]["touched"] = SHAPES_DUE | PAIRS_DUE | kept
     enter_stage(state, SHAPES)
 
 

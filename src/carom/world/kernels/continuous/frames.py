@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from carom.constants import NEVER
 from carom.geometry.instants import is_before, later
+from carom.geometry.path import Path
 from carom.rows.ball import BallRow
 from carom.rows.flight import ASLEEP, FLYING, IN_PART, NO_SHAPE, NO_TICK, FlightRow
 from carom.rows.hit import HitRow
 from carom.rows.index import CellRow, IndexRow
 from carom.rows.island import BodyRow
-from carom.rows.relation import RelationRow
+from carom.rows.relation import LASTING, NO_RELATION, RelationRow
 from carom.rows.saved import SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
@@ -41,11 +42,12 @@ from carom.world.kernels.continuous.island import hasten, lies, part_from_all
 from carom.world.kernels.continuous.lasting import hold
 from carom.world.kernels.continuous.movers import (
     are_tame,
-    begin_motions,
+    begins_to_move,
     foresee_changes,
     list_movers,
     show_movers,
     take_back,
+    take_up_changed,
     unlist_resting,
 )
 from carom.world.kernels.continuous.regions import rebuild_regions
@@ -53,13 +55,14 @@ from carom.world.kernels.continuous.showing import (
     age_shown,
     is_as_shown,
     is_shown_sound,
+    is_where_shown,
     look_at_balls,
     show,
     show_as_seen,
     take_back_ball,
 )
 from carom.world.kernels.continuous.straying import count_out, removes_strays
-from carom.world.kernels.step.ending import sweep_relations
+from carom.world.kernels.step.ending import end_relations
 from carom.world.kernels.step.motion import unsoundness, wake_all
 from carom.world.kernels.step.relations import relations_room
 from carom.world.kernels.step.soundness import is_in_reach, shapes_are_sound
@@ -111,10 +114,9 @@ def begin_film_step(
 
 
 def take_up_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
-    """Have kinematic shapes move on as they did, or, where they are or how they move was changed, anew from now."""
+    """Have kinematic shapes move on as they did; anew from now those of which it was changed where or how."""
     if state["wake"] == MOTIONS_CHANGED:
-        # Where they are seen, or were put, they begin to move as was set.
-        begin_motions(state, shapes, order)
+        take_up_changed(state, shapes, order)
     else:
         take_back(state, shapes, order)
 
@@ -198,11 +200,12 @@ def note_passed(
             return NEEDS_ROOM
         age = age_now(state, flight)
         moved = ball["x"] != flight["shown_x"] or ball["y"] != flight["shown_y"]
-        if moved or flight["id"] != ball["id"] or flight["kind"] != FLYING or not age > 0.0:
+        if moved or abs(flight["id"]) != ball["id"] or flight["kind"] != FLYING or not age > 0.0:
             continue
-        x, y = float(flight["x"]), float(flight["y"])
+        x, y, vx, vy = float(flight["x"]), float(flight["y"]), float(flight["vx"]), float(flight["vy"])
+        path = Path(x, y, vx, vy, float(flight["ax"]), float(flight["ay"]))
         note_all_passing(
-            state, ball, flight, i, shapes, (index, cells, members), relations, age, age, x, y, NO_SHAPE
+            state, ball, flight, i, shapes, (index, cells, members), relations, age, age, path, NO_SHAPE
         )  # fmt: skip
     show_movers(state, shapes, order)
     enter_stage(state, MOVE)
@@ -223,18 +226,33 @@ def take_up(
     if len(hits) - state["hits"] < state["relations"]:
         state["wanted_hits"] = state["hits"] + state["relations"]
         return NEEDS_ROOM
-    changed = state["wake"] != 0
-    if changed:
+    if state["wake"] != 0:
         wake_all(state, balls)
-        sweep_relations(state, balls, shapes, hits, relations, float(state["now"]))
+        let_go_of_what_is_off(state, balls, shapes, hits, relations, flights)
     take_up_motions(state, shapes, order)
+    what = int(state["wake"])
     state["wake"] = 0
     foresee_changes(state, shapes, order)
     if state["running"] == 0:
-        take_up_balls(state, balls, shapes, relations, flights, bodies, changed)
+        take_up_balls(state, balls, shapes, relations, flights, bodies, what)
         state["running"] = 1
     enter_stage(state, FLY if state["foreseen"] != 0 else FORESEE)
     return DONE
+
+
+def let_go_of_what_is_off(
+    state: StateRow,
+    balls: Table[BallRow],
+    shapes: Table[ShapeRow],
+    hits: Table[HitRow],
+    relations: Table[RelationRow],
+    flights: Table[FlightRow],
+) -> None:
+    """End the relations of balls to what may not be met any more; a ball that has lost one is to begin a new flight."""
+    for i in range(state["balls"]):
+        if end_relations(state, balls, shapes, hits, relations, balls[i], float(state["now"])):
+            keep_flight(state, flights, i)
+            flights[i]["id"] = -abs(flights[i]["id"])
 
 
 def take_up_balls(
@@ -244,24 +262,62 @@ def take_up_balls(
     relations: Table[RelationRow],
     flights: Table[FlightRow],
     bodies: Table[BodyRow],
-    changed: bool,
+    what: int,
 ) -> None:
-    """Put every ball back onto its flight; begin a new one where all have `changed`, or where the ball was."""
+    """Put every ball back onto its flight, or begin a new one where the ball, or what holds it, was changed.
+
+    `what` says how much was changed.
+    """
     for i in range(state["balls"]):
         ball, flight = balls[i], flights[i]
-        if not changed and is_as_shown(ball, flight):
+        woken = flight["kind"] == ASLEEP and ball["asleep"] == 0
+        held_otherwise = what != 0 and is_held_otherwise(state, ball, shapes, relations, what == MOTIONS_CHANGED)
+        if is_as_shown(ball, flight) and not woken and not held_otherwise:
             take_back_ball(ball, flight)
         else:
-            flights[len(flights) // 2 + i] = flight
-            if not changed and lies(relations, ball):
-                # What lay on it has to be held otherwise.
-                hasten(state, balls, flights, relations, bodies, i)
+            keep_flight(state, flights, i)
+            flight["id"] = -ball["id"] if is_where_shown(ball, flight) else 0
+    for i in range(state["balls"]):
+        ball, flight = balls[i], flights[i]
+        if flight["id"] == ball["id"]:
+            continue
+        if lies(relations, ball):
+            # What lies on it has to be held otherwise.
+            hasten(state, balls, flights, relations, bodies, i)
+            if flight["id"] == 0:
                 part_from_all(state, balls, relations, i)
-            begin_anew(state, ball, flight)
-            if lies(relations, ball):
-                flight["tick_time"] = state["now"]
-                flight["tick_low"] = state["now_low"]
-            hold(state, ball, flight, shapes, relations, True)
+        begin_anew(state, ball, flight)
+        if lies(relations, ball):
+            flight["tick_time"] = state["now"]
+            flight["tick_low"] = state["now_low"]
+        hold(state, ball, flight, shapes, relations, True)
+
+
+def is_held_otherwise(
+    state: StateRow,
+    ball: BallRow,
+    shapes: Table[ShapeRow],
+    relations: Table[RelationRow],
+    motions_changed: bool,
+) -> bool:
+    """True if a shape holds a ball that begins to move otherwise now; or that kicks, as it does when there is room."""
+    place = int(ball["relation"])
+    while place != NO_RELATION:
+        if relations[place]["kind"] == LASTING:
+            shape = shapes[relations[place]["other"]]
+            if shape["kick"] > 0.0 or (motions_changed and begins_to_move(state, shape)):
+                return True
+        place = int(relations[place]["next"])
+    return False
+
+
+def keep_flight(state: StateRow, flights: Table[FlightRow], i: int) -> None:
+    """Keep a flight as it was when the step began, once a step, for one that fails to go back to."""
+    flight = flights[i]
+    if flight["kept"] != state["step_number"]:
+        flights[len(flights) // 2 + i] = flight
+        flight["kept"] = state["step_number"]
+        flight["impacts"] = 0
 
 
 def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
@@ -282,8 +338,6 @@ def begin_anew(state: StateRow, ball: BallRow, flight: FlightRow) -> None:
     flight["met_low"] = 0.0
     flight["short"] = 0
     flight["at_once"] = 0
-    flight["kept"] = state["step_number"]
-    flight["impacts"] = 0
     flight["version"] += 1
 
 

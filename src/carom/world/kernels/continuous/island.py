@@ -15,6 +15,7 @@ from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
 from carom.world.kernels.broad_phase.regions import age_of_mover
+from carom.world.kernels.continuous.arrival import keep_course
 from carom.world.kernels.continuous.filling import fills_bend
 from carom.world.kernels.continuous.flight import age_now, is_crowded, place_after
 from carom.world.kernels.continuous.lasting import leave_points, may_hold
@@ -127,7 +128,9 @@ def hasten(
     count = collect(balls, flights, relations, bodies, i, NO_BALL)
     dismiss(flights, bodies, count)
     for k in range(count):
-        flight = flights[bodies[k]["ball"]]
+        i = row_of(bodies[k]["ball"])
+        keep_course(state, balls[i], flights, i)
+        flight = flights[i]
         flight["tick_time"] = state["now"]
         flight["tick_low"] = state["now_low"]
 

@@ -9,7 +9,7 @@ from math import fabs, inf
 
 from carom.constants import FARTHEST_CROSSING, LEAST_SQUARE, STOP_MARGIN
 from carom.geometry.instants import is_before, later
-from carom.rows.pose import acting_spin, advance_pose, is_moving, pose, rest, set_before
+from carom.rows.pose import POSED, acting_spin, advance, is_moving, pose, rest, set_before
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import STALE, StateRow
 from carom.rows.tables import Table
@@ -20,20 +20,47 @@ def begin_motion(shape: ShapeRow, time: float, low: float) -> None:
     """Let a shape move from an instant on as its row says, from where it stands."""
     set_before(shape)
     shape["time_left_before"] = shape["time_left"]
+    shape["velocity_before_x"] = shape["velocity_x"]
+    shape["velocity_before_y"] = shape["velocity_y"]
     shape["spin"] = acting_spin(shape)
-    if shape["rotating"] and shape["spin"] == 0.0:
-        # It is pressed against its stop.
-        shape["angular_velocity"] = 0.0
     shape["since"] = time
     shape["since_low"] = low
 
 
-def begin_motions(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
-    """Let all kinematic shapes move on from now as their rows say."""
+def take_up_changed(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
+    """Put all kinematic shapes, which the rows show, back to where their motion began, or let them begin another one.
+
+    Another one begin those that were put elsewhere or set to move otherwise, from where they are seen.
+    """
     for k in range(state["fixed"], state["shapes"]):
-        begin_motion(shapes[order[k]], float(state["now"]), float(state["now_low"]))
+        shape = shapes[order[k]]
+        if shape["rotating"] and shape["spin"] == 0.0 and acting_spin(shape) == 0.0:
+            # It is pressed against its stop.
+            shape["angular_velocity"] = 0.0
+        if moves_as_before(state, shape):
+            take_back_mover(shape)
+        else:
+            begin_motion(shape, float(state["now"]), float(state["now_low"]))
     state["moving_stale"] = STALE
     list_movers(state, shapes, order)
+
+
+def moves_as_before(state: StateRow, shape: ShapeRow) -> bool:
+    """True if a kinematic shape, whose row shows it, is where its motion has brought it, and is to move on likewise."""
+    age = age_of_mover(state, shape)
+    x, y = pivot_at(shape, age)
+    same_place = shape["pivot_x"] == x and shape["pivot_y"] == y and shape["orientation"] == orientation_at(shape, age)
+    same_x = shape["velocity_x"] == shape["velocity_before_x"]
+    # At its stop it is to turn on still, until it has been dealt with that it is there.
+    spin = shape["angular_velocity"] if shape["rotating"] != 0 else 0.0
+    same_speed = same_x and shape["velocity_y"] == shape["velocity_before_y"] and shape["spin"] == spin
+    return bool(same_place and same_speed and shape["time_left"] == time_left_at(shape, age))
+
+
+def begins_to_move(state: StateRow, shape: ShapeRow) -> bool:
+    """True if a kinematic shape's motion begins at the instant that the film is shown."""
+    kinematic = shape["motion"] == KINEMATIC
+    return bool(kinematic and shape["since"] == state["now"] and shape["since_low"] == state["now_low"])
 
 
 def is_restless(shape: ShapeRow) -> bool:
@@ -108,28 +135,38 @@ def foresee_changes(state: StateRow, shapes: Table[ShapeRow], order: Table[int])
                 state["change_low"] = low
 
 
+def changes_now(state: StateRow, shape: ShapeRow) -> bool:
+    """True if a shape has come to its stop or to where it was sent at the instant that the film is shown."""
+    wait = time_to_change(shape)
+    if wait == inf:
+        return False
+    time, low = later(float(shape["since"]), float(shape["since_low"]), wait)
+    return not is_before(float(state["now"]), float(state["now_low"]), time, low)
+
+
 def change_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Let the shapes that stop or arrive now do so, and move on from here as they do then."""
     for k in range(state["shapes"], state["shapes"] + state["movers"]):
         shape = shapes[order[k]]
-        wait = time_to_change(shape)
-        if wait == inf:
-            continue
-        time, low = later(float(shape["since"]), float(shape["since_low"]), wait)
-        if not is_before(float(state["now"]), float(state["now_low"]), time, low):
-            # A stop is reached exactly, whatever the rounding of its time.
-            go_on(shape, wait * STOP_MARGIN)
+        if changes_now(state, shape):
+            stop_or_arrive(shape, time_to_change(shape))
             rest(shape)
             begin_motion(shape, float(state["now"]), float(state["now_low"]))
             state["moving_stale"] = STALE
     foresee_changes(state, shapes, order)
 
 
-def go_on(shape: ShapeRow, seconds: float) -> None:
-    """Put a shape, which stands as its motion began, to where it is so many seconds later."""
+def stop_or_arrive(shape: ShapeRow, seconds: float) -> None:
+    """Put a shape, which stands as its motion began, to its stop or to where it was sent, so many seconds later."""
     shape["time_left"] = shape["time_left_before"]
-    if shape["motion"] == KINEMATIC:
-        advance_pose(shape, seconds)
+    # A stop is reached exactly, whatever the rounding of its time; how far it has travelled says that time alone.
+    if advance(shape, seconds * STOP_MARGIN) == POSED:
+        return
+    x, y = pivot_at(shape, seconds)
+    shape["pivot_x"] = x
+    shape["pivot_y"] = y
+    shape["time_left"] = time_left_at(shape, seconds)
+    pose(shape)
 
 
 def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
@@ -138,13 +175,26 @@ def show_movers(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> 
         shape = shapes[order[k]]
         if is_moving(shape):
             age = age_of_mover(state, shape)
+            x, y = pivot_at(shape, age)
             shape["orientation"] = orientation_at(shape, age)
-            shape["pivot_x"] = float(shape["pivot_before_x"]) + float(shape["velocity_x"]) * age
-            shape["pivot_y"] = float(shape["pivot_before_y"]) + float(shape["velocity_y"]) * age
-            if shape["time_left_before"] > 0.0:
-                # It is on its way still, so there is some time left, if less than rounding.
-                shape["time_left"] = max(float(shape["time_left_before"]) - age, LEAST_SQUARE)
+            shape["pivot_x"] = x
+            shape["pivot_y"] = y
+            shape["time_left"] = time_left_at(shape, age)
             pose(shape)
+
+
+def pivot_at(shape: ShapeRow, age: float) -> tuple[float, float]:
+    """Where a shape's pivot is at an age of its motion."""
+    x = float(shape["pivot_before_x"]) + float(shape["velocity_before_x"]) * age
+    y = float(shape["pivot_before_y"]) + float(shape["velocity_before_y"]) * age
+    return x, y
+
+
+def time_left_at(shape: ShapeRow, age: float) -> float:
+    """The seconds after which a shape is where it was sent, at an age of its motion; 0 if it was sent nowhere."""
+    left = float(shape["time_left_before"])
+    # On its way still, there is some time left, if less than rounding; what rests there already counts none.
+    return max(left - age, LEAST_SQUARE) if left > 0.0 and is_moving(shape) else left
 
 
 def orientation_at(shape: ShapeRow, age: float) -> float:
@@ -158,10 +208,14 @@ def orientation_at(shape: ShapeRow, age: float) -> float:
 def take_back(state: StateRow, shapes: Table[ShapeRow], order: Table[int]) -> None:
     """Put the kinematic shapes, which the rows show as they are now, back to where their motion began."""
     for k in range(state["shapes"], state["shapes"] + state["movers"]):
-        shape = shapes[order[k]]
-        if is_moving(shape):
-            shape["orientation"] = shape["orientation_before"]
-            shape["pivot_x"] = shape["pivot_before_x"]
-            shape["pivot_y"] = shape["pivot_before_y"]
-            shape["time_left"] = shape["time_left_before"]
-            pose(shape)
+        take_back_mover(shapes[order[k]])
+
+
+def take_back_mover(shape: ShapeRow) -> None:
+    """Put one back."""
+    if is_moving(shape):
+        shape["orientation"] = shape["orientation_before"]
+        shape["pivot_x"] = shape["pivot_before_x"]
+        shape["pivot_y"] = shape["pivot_before_y"]
+        shape["time_left"] = shape["time_left_before"]
+        pose(shape)

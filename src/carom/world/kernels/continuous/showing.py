@@ -73,9 +73,14 @@ def is_any_changed(state: StateRow, balls: Table[BallRow], flights: Table[Flight
 
 
 def is_as_shown(ball: BallRow, flight: FlightRow) -> bool:
-    """True if a ball's row is as it was shown last."""
+    """True if a ball's row is as it was shown last, and nothing else of it was changed."""
+    return bool(flight["id"] == ball["id"]) and is_where_shown(ball, flight)
+
+
+def is_where_shown(ball: BallRow, flight: FlightRow) -> bool:
+    """True if a ball is where it was shown last, and moves as it did then."""
     return bool(
-        flight["id"] == ball["id"]
+        abs(flight["id"]) == ball["id"]
         and ball["x"] == flight["shown_x"]
         and ball["y"] == flight["shown_y"]
         and ball["vx"] == flight["shown_vx"]

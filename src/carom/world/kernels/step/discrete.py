@@ -14,7 +14,7 @@ from carom.rows.index import CellRow, IndexRow, PairTables, ShapeIndex, SlotRow
 from carom.rows.pose import rest as let_rest
 from carom.rows.prefetch import prefetch
 from carom.rows.relation import RelationRow
-from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.saved import BUT_PAIRS, KEPT, PAIRS_DUE, SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import (
     BEGIN,
@@ -228,7 +228,7 @@ def find_pairs(
         for i in range(state["balls"]):
             # Few are due, and to write costs more than to read.
             if saved[i]["touched"] & PAIRS_DUE:
-                saved[i]["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+                saved[i]["touched"] &= BUT_PAIRS
     state["pairs"] = count
     state["grid_size"] = 0
     enter_stage(state, PAIRS)
@@ -276,7 +276,7 @@ def meet_all_pairs(
         i = min(int(pairs[k, 0]), int(pairs[k, 1]))
         j = max(int(pairs[k, 0]), int(pairs[k, 1]))
         first, second = balls[i], balls[j]
-        if balls_overlap(state, first, second):
+        if balls_overlap(state, first, second) and not saved[i]["touched"] & saved[j]["touched"] & KEPT:
             if first["sensor"] != 0 or second["sensor"] != 0:
                 meet_sensing_ball(state, first, i, second, j, hits, relations)
             else:

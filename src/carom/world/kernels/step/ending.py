@@ -84,8 +84,9 @@ def end_relations(
     relations: Table[RelationRow],
     ball: BallRow,
     time: float,
-) -> None:
-    """Drop those of one ball."""
+) -> bool:
+    """Whether one ball has lost any; drops those of it."""
+    lost = False
     before = NO_RELATION
     place = int(ball["relation"])
     while place != NO_RELATION:
@@ -96,6 +97,8 @@ def end_relations(
             continue
         write_exit(state, balls, shapes, hits, ball, kind, other, time)
         place = drop_relation(state, relations, ball, place, before)
+        lost = True
+    return lost
 
 
 def write_exit(

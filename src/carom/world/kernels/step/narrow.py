@@ -10,6 +10,7 @@ from carom.constants import (
     END_DEPTH_DISCRETE,
     END_SLOP,
     LEAST_SHARE,
+    LIFT,
     PRESS_DEPTH,
     PRESS_ITERATIONS,
     SEPARATION_SLACK,
@@ -25,7 +26,7 @@ from carom.rows.kinds import depth_on_entry, find_contact, gap_at_rest, has_ends
 from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving, surface_velocity
 from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, PASSING, RelationRow
-from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.saved import BUT_KEPT, COUNTED, CROWDED, KEPT, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import KINEMATIC, ShapeRow
 from carom.rows.state import CHANGED, DISCRETE, StateRow
 from carom.rows.tables import Table
@@ -166,6 +167,8 @@ def meet_shape(
         return False
     if find_relation(relations, ball, PASSING, shape_row):
         return False
+    if mark["touched"] & KEPT and setback <= LIFT * float(ball["radius"]):
+        return False
     if starts_passing(shape, ball, setback, moved, way):
         add_relation(state, relations, ball, ball_row, PASSING, shape_row)
         return False
@@ -182,7 +185,7 @@ def meet_shape(
         ball["y"] = float(ball["y"]) + setback * ny
     if mark["touched"] & MET or share < 1.0 or setback > CROWD_WAY * float(ball["radius"]):
         mark["touched"] |= CROWDED
-    mark["touched"] |= BOTH_DUE | MET
+    mark["touched"] = (mark["touched"] | BOTH_DUE | MET) & BUT_KEPT
     state["found"] += 1
     bounce_off_shape(state, ball, shapes, shape_row, hits[state["hits"]], (px, py, nx, ny, setback), pressed)
     limit_speed(state, ball)
@@ -358,8 +361,8 @@ def meet_ball(
         state["overlaps"] += 1
     # In inverse proportion to the masses, which leaves their centre of mass where it was.
     push_apart(first, second, nx, ny, setback)
-    mark["touched"] |= BOTH_DUE
-    other_mark["touched"] |= BOTH_DUE
+    mark["touched"] = (mark["touched"] | BOTH_DUE) & BUT_KEPT
+    other_mark["touched"] = (other_mark["touched"] | BOTH_DUE) & BUT_KEPT
     state["found"] += 1
     bounce_pair(state, first, second, hit, (px, py, nx, ny, setback))
     limit_speed(state, first)

@@ -10,7 +10,7 @@ from carom.rows.masks import may_collide
 from carom.rows.pose import is_moving
 from carom.rows.prefetch import prefetch
 from carom.rows.relation import RelationRow
-from carom.rows.saved import COUNTED, CROWDED, MET, PAIRS_DUE, SHAPES_DUE, SavedRow
+from carom.rows.saved import BUT_PAIRS, COUNTED, KEPT, PAIRS_DUE, SHAPES_DUE, SavedRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import DISCRETE, DONE, FIND_PAIRS, FINISH, NEEDS_PAIRS, NEEDS_ROOM, StateRow
 from carom.rows.tables import Table
@@ -59,7 +59,7 @@ def meet_all_shapes(
     index = shape_index[0]
     # One round more than there are iterations: shapes at rest have the last word, whatever pairs did.
     settling = state["iteration"] == state["iterations"]
-    kept = PAIRS_DUE | COUNTED if state["iteration"] > 0 else 0
+    kept = PAIRS_DUE | COUNTED | KEPT if state["iteration"] > 0 else KEPT
     gravity_x, gravity_y, duration = float(state["gravity_x"]), float(state["gravity_y"]), substep_length(state)
     most = most_meetings(state, index)
     front = front_of(state, index)
@@ -300,7 +300,7 @@ def meet_shapes_near(
 def note_pairs_due(state: StateRow, mark: SavedRow) -> None:
     """Note in the first iteration that a ball's pairs are not due again: those of all balls are to come."""
     if state["iteration"] == 0:
-        mark["touched"] &= SHAPES_DUE | COUNTED | MET | CROWDED
+        mark["touched"] &= BUT_PAIRS
 
 
 def most_meetings(state: StateRow, index: Table[IndexRow]) -> int:

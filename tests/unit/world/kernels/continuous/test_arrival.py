@@ -1,11 +1,13 @@
 """How a ball comes to an event: a new flight begins where it is, and what it came onto past an end it passes."""
 
+from math import hypot, pi
 from typing import Any
 
 import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Segment
+from carom.geometry.path import Path
 from carom.rows.flight import ASLEEP, COPIED_LINES, COURSE, EVENT_LINES, FLIGHT, NO_SHAPE
 from carom.rows.relation import LASTING, PASSING
 from carom.rows.tables import LINE
@@ -125,6 +127,23 @@ def test_a_ball_that_slides_over_a_joint_is_handed_on_over_a_small_step(step: fl
     state, ball, flight = arrays.states[0], arrays.balls.rows[0], arrays.flights[0]
     add_relation(state, arrays.relations, ball, 0, LASTING, 0)
     ball["x"] = 0.5
+    path = Path(-1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
     for row in range(2):
-        note_passing(state, ball, flight, 0, arrays.shapes.rows, row, arrays.relations, 0.0, 1.5, -1.0, 1.0)
+        note_passing(state, ball, flight, 0, arrays.shapes.rows, row, arrays.relations, 0.0, 1.5, path)
     assert find_relation(arrays.relations, ball, PASSING, 1) == (step > 1e-3)
+
+
+def test_who_leaves_a_ring_by_its_gap_passes_the_end_that_it_overlaps_then() -> None:
+    # It came from within the ring, beside the arc, and got into it past the end.
+    ring = Arc((0, 0), 3, pi + 0.5, pi - 0.5)
+    arrays = in_flight(continuous_world(ring, Ball((-1.5, 1.2), 0.5, velocity=(-1.5, -2.95))))
+    come(arrays, 1.0)
+    ball = arrays.balls.rows[0]
+    assert 2.5 < hypot(ball["x"], ball["y"]) < 3.5
+    assert find_relation(arrays.relations, ball, PASSING, 0)
+
+
+def test_what_was_put_onto_a_ball_on_its_way_is_not_passed() -> None:
+    arrays = in_flight(continuous_world(Segment((0, 0), (9, 0)), Ball((3, 2), 1, velocity=(0.5, -1))))
+    come(arrays, 1.5)
+    assert not find_relation(arrays.relations, arrays.balls.rows[0], PASSING, 0)

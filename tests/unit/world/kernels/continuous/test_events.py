@@ -14,7 +14,7 @@ from carom.world.kernels.continuous.events import (
     change_shapes,
     deal_with,
     end_quietly,
-    is_held_by_mover,
+    is_held_by_changing,
     meet_balls,
 )
 from carom.world.kernels.continuous.movers import foresee_changes
@@ -91,7 +91,7 @@ def test_a_look_changes_no_path() -> None:
     assert foreseen(arrays) == (HIT_SHAPE, 7.0, 0.0, 0)
 
 
-@pytest.mark.parametrize(("event", "relation"), [(LEAVE, LASTING), (EXIT_SHAPE, INSIDE_SHAPE), (CLEAR, PASSING)])
+@pytest.mark.parametrize(("event", "relation"), [(LEAVE, LASTING), (EXIT_SHAPE, INSIDE_SHAPE)])
 def test_a_relation_ends_with_its_event(event: int, relation: int) -> None:
     arrays = in_flight(continuous_world(Circle((0, -2), 1), Ball((0, 0), 1)))
     state, ball = arrays.states[0], arrays.balls.rows[0]
@@ -129,28 +129,47 @@ def test_what_comes_past_an_end_of_a_mover_is_told_from_what_touches_its_side() 
     bar = Segment((0, 0), (9, 0), motion="kinematic", velocity=(-1, 0))
     arrays = in_flight(continuous_world(bar, Ball((-4, 0.3), 1)))
     ball, flight, shape = arrays.balls.rows[0], arrays.flights[0], arrays.shapes.rows[0]
-    flight["time"] = 4.5
-    came = (-4.0, 0.3, 0.0, 0.0, 0.0, 0.0)
-    assert came_past_end(ball, flight, shape, arrays.relations, came, 4.5)
-    assert not came_past_end(ball, flight, shape, arrays.relations, came, 0.0)
+    state = arrays.states[0]
+    assert not came_past_end(state, ball, flight, shape, arrays.relations)
+    look_at(arrays, 4.5)
+    assert came_past_end(state, ball, flight, shape, arrays.relations)
     ball["y"] = 1.0
-    assert not came_past_end(ball, flight, shape, arrays.relations, (-4.0, 1.0, 0.0, 0.0, 0.0, 0.0), 4.5)
+    assert not came_past_end(state, ball, flight, shape, arrays.relations)
+
+
+@pytest.mark.parametrize("event", [CLEAR, HIT_SHAPE])
+def test_what_a_ball_passes_begins_and_ends_on_its_way(event: int) -> None:
+    bar = Segment((0, 0), (9, 0), motion="kinematic", velocity=(-1, 0))
+    arrays = in_flight(continuous_world(bar, Ball((-4, 0.3), 1)))
+    heads = foresee_all(arrays)
+    state, ball, flight = arrays.states[0], arrays.balls.rows[0], arrays.flights[0]
+    if event == CLEAR:
+        add_relation(state, arrays.relations, ball, 0, PASSING, 0)
+    look_at(arrays, 4.5)
+    flight["event"], flight["event_time"], flight["partner"] = event, 4.5, 0
+    version = int(flight["version"])
+    dealt(arrays, heads, 0)
+    assert find_relation(arrays.relations, ball, PASSING, 0) == (event == HIT_SHAPE)
+    assert (flight["version"], flight["time"], state["hits"]) == (version, 0, 0)
 
 
 def test_when_shapes_stop_balls_that_they_hold_begin_new_flights() -> None:
     floor = Segment((-5, 0), (5, 0), motion="kinematic", pivot=(0, 0), turn_limits=(-0.5, 0.001))
-    world = continuous_world(floor, Ball((0, 1), 1), Ball((0, 40), 1), gravity=(0, -10))
+    belt = Segment((-5, 39), (5, 39), motion="kinematic", velocity=(1, 0))
+    world = continuous_world(floor, belt, Ball((0, 1), 1), Ball((0, 40), 1), Ball((0, 80), 1), gravity=(0, -10))
     floor.angular_velocity = 0.01
     arrays = in_flight(world)
     state = arrays.states[0]
-    add_relation(state, arrays.relations, arrays.balls.rows[0], 0, LASTING, 0)
-    assert is_held_by_mover(arrays.balls.rows[0], arrays.shapes.rows, arrays.relations)
-    assert not is_held_by_mover(arrays.balls.rows[1], arrays.shapes.rows, arrays.relations)
+    for row in range(2):
+        add_relation(state, arrays.relations, arrays.balls.rows[row], row, LASTING, row)
     foresee_changes(state, arrays.shapes.rows, arrays.order)
     assert state["change"] == pytest.approx(0.1)
+    rows = arrays.shapes.rows, arrays.relations
+    assert not any(is_held_by_changing(state, ball, *rows) for ball in arrays.balls.used)
     state["now"], state["now_low"] = state["change"], state["change_low"]
+    assert [is_held_by_changing(state, ball, *rows) for ball in arrays.balls.used] == [True, False, False]
     tables = *film_tables(arrays), arrays.flights, arrays.relations, arrays.island[0]
     change_shapes(state, arrays.balls.rows, *tables)
     assert arrays.shapes.rows["orientation"][0] == 0.001
-    assert arrays.flights["time"][:2].tolist() == [state["now"], 0]
+    assert arrays.flights["time"][:3].tolist() == [state["now"], 0, 0]
     assert np.isinf(state["change"])

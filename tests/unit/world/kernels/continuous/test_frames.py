@@ -264,4 +264,23 @@ def test_what_is_no_change_of_motions_leaves_them_as_they_were(sleep_speed: floa
         assert [shape.orientation for shape in twin.shapes if shape.motion] == [mill.orientation]
     mill.angular_velocity = 1.5
     world.step(0.1)
-    assert mill._row["since"] == pytest.approx(1.8)
+    assert mill._row["since"] == since
+    mill.angular_velocity = 2.0
+    world.step(0.1)
+    assert mill._row["since"] == pytest.approx(1.9)
+
+
+@pytest.mark.parametrize("change", ["mass", "velocity", "none"])
+def test_of_an_island_all_are_solved_anew_where_one_was_changed(change: str) -> None:
+    world = continuous_world(*box(4, 9), gravity=(0, -10))
+    for k in range(4):
+        world.add(Ball((1 + 0.3 * k, 0.6 + 0.8 * k), 0.4, elasticity=0.5))
+    world.run(0.1)
+    while not (world._arrays.flights["tick_time"][:4] < NO_TICK).all():
+        world.step(1 / 60)
+    before = world._arrays.flights["time"][:4].copy()
+    if change != "none":
+        setattr(world.balls[2], change, {"mass": 2.0, "velocity": (0, 0.1)}[change])
+    world.step(1e-9)
+    assert (world._arrays.flights["time"][:4] == before).all() == (change == "none")
+    assert (world._arrays.flights["time"][:4] >= world.time - 2e-9).all() == (change != "none")

@@ -107,9 +107,14 @@ def test_an_island_that_is_hastened_is_solved_now_and_no_other() -> None:
     arrays.flights["tick_time"] = 9.0
     look_at(arrays, 0.25)
     rows = arrays.balls.rows, arrays.flights, arrays.relations
+    arrays.states[0]["step_number"] += 1
     hasten(arrays.states[0], *rows, arrays.island[0], 2)
     assert arrays.flights["tick_time"][:7].tolist() == [0.25, 0.25, 0.25, 9, 9, 9, 9]
     assert (arrays.flights["body"] == 0).all()
+    # A step that fails puts back what was hastened.
+    half = len(arrays.flights) // 2
+    assert (arrays.flights["kept"][:7] == arrays.states[0]["step_number"]).tolist() == [True] * 3 + [False] * 4
+    assert (arrays.flights["tick_time"][half : half + 3] == 9.0).all()
 
 
 def pit(random: np.random.Generator, rows: int = 3) -> Arrays:

@@ -9,13 +9,14 @@ import pytest
 from carom import Segment, World
 from carom.world.kernels.continuous.movers import (
     begin_motion,
-    begin_motions,
     change_movers,
     foresee_changes,
     list_movers,
+    moves_as_before,
     orientation_at,
     show_movers,
     take_back,
+    take_up_changed,
     time_to_change,
     time_to_stop,
     unlist_resting,
@@ -160,7 +161,7 @@ def test_those_that_move_or_are_sent_are_listed_until_they_rest() -> None:
     def listed() -> list[int]:
         return arrays.order[5 : 5 + arrays.states[0]["movers"]].tolist()
 
-    begin_motions(*tables)
+    take_up_changed(*tables)
     assert listed() == [2, 3, 4]
     # One that rests without a mark of it is taken out; who begins to move is found by those who look at all.
     arrays.shapes.rows[2]["spin"] = 0.0
@@ -176,6 +177,45 @@ def test_a_world_that_looks_at_its_tables_anew_knows_what_moves() -> None:
     world = clock()
     for seconds, moving in ((0.125, [0, 1, 2, 3, 4]), (1.75, [0, 2, 4]), (2.0, [0, 4]), (2.0, [0])):
         world.step(seconds)
-        world._changed_all()
+        world._changed_all(of_flights=False)
         world._arrays.prepare()
         assert world._arrays.order[5 : 5 + world._arrays.states[0]["movers"]].tolist() == moving
+
+
+@pytest.mark.parametrize("speed", [1.0, 1e3, 1e9])
+@pytest.mark.parametrize("stop", [1.0, 0.3, 2.0])
+def test_what_comes_to_a_stop_has_travelled_no_farther_than_its_speed_brings_it(speed: float, stop: float) -> None:
+    world = continuous_world(hand(angular_velocity=0.125, velocity=(speed, 0), turn_limits=(-1, stop)))
+    for _ in range(40):
+        world.step(0.5)
+    (found,) = world.shapes
+    assert found.orientation == stop
+    assert found.pivot[0] == pytest.approx(20 * speed, rel=1e-15)
+
+
+def test_what_is_sent_and_stops_on_the_way_arrives_when_it_was_to() -> None:
+    sent = hand(turn_limits=(-1, 0.5))
+    world = continuous_world(sent)
+    sent.move_to((3, 4), dt=2.0, orientation=0.5)
+    row = sent._row
+    row["angular_velocity"] = 1.0  # faster than it was to turn
+    world.step(1.0)
+    assert (sent.orientation, row["time_left"]) == (0.5, pytest.approx(1.0, rel=1e-15))
+    world.step(1.0)
+    assert (sent.position, sent.velocity) == ((3, 4), (0, 0))
+
+
+def test_a_motion_that_was_not_changed_is_told_from_one_that_was() -> None:
+    arrays = going(hand(angular_velocity=2.0, velocity=(1, 0), turn_limits=(-1, 1)), hand())
+    state, shapes, order = arrays.states[0], arrays.shapes.rows, arrays.order
+    look_at(arrays, 0.25)
+    show_movers(state, shapes, order)
+    before = shapes[:2].copy()
+    assert all(moves_as_before(state, shape) for shape in shapes[:2])
+    for field in ("angular_velocity", "velocity_x", "velocity_y", "orientation", "pivot_x", "pivot_y", "time_left"):
+        for k in range(2):
+            shapes[k][field] += 1e-9
+            assert not moves_as_before(state, shapes[k])
+            shapes[k] = before[k]
+    shapes[0]["rotating"] = 0
+    assert not moves_as_before(state, shapes[0])
