@@ -47,10 +47,17 @@ def next_impacts(world: World, indices: Rows) -> Rows:
 
 
 def note_times(aims: Rows, ways: Rows, now: float) -> None:
-    """Write when balls that come straight, with the velocities `ways`, meet what they meet."""
+    """Write when balls that come straight, with the velocities `ways`, meet what they meet.
+
+    Raises `InvalidArgument` where one comes so slowly or leaves so fast that no number says when, or how fast.
+    """
     with np.errstate(over="ignore"):
         times = now + aims["distance"] / np.hypot(ways[:, 0], ways[:, 1])
     aims["time"] = np.where(aims["shape"] != 0, times, 0.0)
+    lost = ~np.isfinite(aims["time"] + aims["speed"] + aims["other_speed"] + aims["direction"].sum(axis=1))
+    if lost.any():
+        way = tuple(ways[np.argmax(lost)].tolist())
+        raise checks.refuse("direction", "must be of a length that leaves times and speeds finite", way)
 
 
 def tell(film: Arrays, index: int, aim: Row) -> None:

@@ -339,7 +339,7 @@ class Queries:
             direction: Where it is shot, a pair that is not (0, 0); or an array of shape (n, 2). None for as it flies.
 
         Raises:
-            InvalidArgument: `ball` is no ball of this world; `direction` has none, or is None in the discrete mode.
+            InvalidArgument: `ball` is no ball of this world; `direction` is (0, 0) or off numbers, or None if discrete.
 
         >>> import carom
         >>> world = carom.World()

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import carom
-from carom import Arc, Ball, Circle, Gate, Point, Segment, World
-from tests.worlds import box, crowded
+from carom import Arc, Ball, Circle, Gate, InvalidArgument, Point, Segment, World
+from tests.worlds import box, crowded, world_of
 
 
 def room(seed: int) -> World:
@@ -107,6 +107,19 @@ def test_a_ball_at_rest_in_a_heap_meets_nothing_in_the_end() -> None:
     ball = world.add(Ball((0, 1), 1.0))
     world.run(0.5)
     assert world.aim(ball) is None
+
+
+@pytest.mark.parametrize("direction", [(1e308, 0), (1e308, 1e308), (5e-324, 0), (0, -1e-310)])
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_a_direction_so_long_or_short_that_numbers_do_not_reach_is_refused(
+    direction: tuple[float, float], detection: str
+) -> None:
+    world = world_of(*box(9, 9), Ball((4, 4), 0.5), detection=detection)
+    with pytest.raises(InvalidArgument, match=r"direction must be of a length that leaves times .* finite, not"):
+        world.aim(world.balls[0], direction)
+    with pytest.raises(InvalidArgument, match="direction must be"):
+        world.aim(world.balls[0], np.array([(1.0, 0.0), direction]))
+    assert world.aim(world.balls[0], (1e150, 0))
 
 
 def test_the_discrete_mode_wants_a_direction() -> None:

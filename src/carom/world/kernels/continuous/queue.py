@@ -82,12 +82,15 @@ def fill_queue(state: StateRow, flights: Table[FlightRow], queue: Table[QueueRow
 
 
 def mean_wait(state: StateRow, queue: Table[QueueRow]) -> float:
-    """The seconds for which balls wait for their next event on the whole, of those that do; infinite if none does."""
+    """The seconds for which balls wait for their next event on the whole, of those that do; infinite if none does.
+
+    What was to come before now, of a flight that has lasted longer, has not to be waited for.
+    """
     now, wait, waiting = float(state["now"]), 0.0, 0
     for i in range(state["balls"]):
         due = float(queue[i]["due"])
         if due < inf:
-            wait += due - now
+            wait += max(due - now, 0.0)
             waiting += 1
     return wait / waiting if waiting > 0 else inf
 

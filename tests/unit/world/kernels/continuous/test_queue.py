@@ -173,3 +173,20 @@ def test_a_queue_that_was_filled_with_too_few_or_too_many_is_filled_otherwise_th
     later = [found for k, found in fillings if count < k < 3 * count]
     assert 0 < len(later) < 2 / QUEUE_LEAST
     assert fillings[-1][1] < 2 * QUEUE_MOST * count
+
+
+@pytest.mark.parametrize("overdue", [0, 1, 30, 40])
+def test_what_was_to_come_before_now_comes_at_once_and_keeps_nothing_else_waiting(overdue: int) -> None:
+    random = Random(overdue)
+    state, flights, queue = state_row(ball_rows([]), "grid", 1), np.zeros(BALLS, FLIGHT), np.zeros(BALLS + 1, QUEUE)
+    state["balls"], state["binned"], state["now"] = BALLS, 1, 3.0
+    open_queue(state, queue)
+    for ball in range(BALLS):
+        flights[ball]["due_time"] = random.uniform(0.0, 3.0) if ball < overdue else random.uniform(3.0, 3.01)
+        put_event(state, flights, queue, ball)
+    order = []
+    while (front := front_of(state, flights, queue)) != NO_BALL:
+        order.append(front)
+        state["now"] = max(float(state["now"]), float(flights[front]["due_time"]))
+        take_event(state, flights, queue, front)
+    assert order == sorted(range(BALLS), key=lambda ball: order_of(flights, ball))
