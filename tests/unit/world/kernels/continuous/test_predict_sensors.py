@@ -268,3 +268,20 @@ def test_from_the_very_time_at_which_balls_part_the_same_is_foreseen(first: int)
             rows[1]["event"] = NOTHING
             assert predict_parting(*rows, 1, age, 0.0)
             assert (rows[1]["event_time"], rows[1]["event_low"]) == (time, low), (seed, age)
+
+
+@pytest.mark.parametrize("age", [3.05, 3.3, 3.5, 5.0, 9.0, 13.9])
+@pytest.mark.parametrize("motion", ["static", "kinematic"])
+def test_who_came_onto_a_shape_on_its_way_comes_off_it_later(motion: Any, age: float) -> None:
+    # Its centre is left of the bar's end, over which it comes, when the flight begins, and where looks were before.
+    arrays = with_ball(Segment((0, 0), (9, 0), motion=motion), Ball((-4, 0.3), 1, velocity=(1, 0)))
+    event, clear = found(arrays, predict_clear, age)
+    assert (event, clear) == (CLEAR, pytest.approx(13 + sqrt(1 - 0.09), abs=1e-8))
+
+
+def test_who_is_on_a_shape_that_came_otherwise_comes_off_it_as_it_moves_now() -> None:
+    # Before it was set going so the bar was elsewhere than its motion, followed back, would have it.
+    bar = Segment((0, 0), (9, 0), motion="kinematic", velocity=(0, 40))
+    arrays = with_ball(bar, Ball((4, 0), 1))
+    arrays.shapes.rows[0]["since"] = 2.0
+    assert found(arrays, predict_clear, 2.0) == (CLEAR, pytest.approx(2.025, abs=1e-9))
