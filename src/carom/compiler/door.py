@@ -40,6 +40,8 @@ _registered: list[Kernel] = []
 
 #: Held by the thread that compiles; others, which may use other worlds, wait for it.
 _compiling = threading.RLock()
+#: Held by the thread that imports Numba.
+_importing = threading.RLock()
 
 
 def one(*_: Any) -> tuple[int, float]:
@@ -143,7 +145,8 @@ def _numba() -> Any:
     # SVML gives other last bits than the C library does, so it must be off before Numba is first imported.
     os.environ.setdefault("NUMBA_DISABLE_INTEL_SVML", "1")
     try:
-        import numba
+        with _importing:
+            import numba
     except ImportError:
         return None
     config: Any = numba.config
@@ -376,3 +379,19 @@ class BlockEntry(Entry):
     def _settled(self, kernel: Kernel) -> Kernel:
         """The kernel, which `enter` returns from now on."""
         return super()._settled(At(kernel))
+
+
+def _hold() -> None:
+    """Wait until nothing is compiled, and let nobody begin: a process that is forked now could not finish it."""
+    _compiling.acquire()
+    _importing.acquire()
+
+
+def _let_go() -> None:
+    """Let them begin again."""
+    _importing.release()
+    _compiling.release()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_hold, after_in_parent=_let_go, after_in_child=_let_go)

@@ -16,11 +16,15 @@ SHARE = 16
 
 
 class Crew:
-    """Threads that are started when they are first needed, at most so many."""
+    """Threads that are started when they are first needed, at most so many.
+
+    A process that is forked has none of the threads of the one that it was forked from: there they are started anew.
+    """
 
     def __init__(self, most: int) -> None:
         self.most = most
         self._pool: ThreadPoolExecutor | None = None
+        self._process = 0
         self._stop = Event()
 
     def shares(self, count: int) -> list[tuple[int, int]]:
@@ -29,14 +33,19 @@ class Crew:
         ends = [count * k // threads for k in range(threads + 1)]
         return list(pairwise(ends))
 
+    def _threads(self) -> ThreadPoolExecutor:
+        """The threads of this process beside the one that asks."""
+        if self._pool is None or self._process != os.getpid():
+            self._pool = ThreadPoolExecutor(self.most - 1, thread_name_prefix="carom-worlds")
+            self._process = os.getpid()
+        return self._pool
+
     def work(self, stages: Sequence[Stage]) -> bool:
         """True if all stages have done their jobs; False where the memory lacks room for one."""
         stop = self._stop
         if len(stages) == 1:
             return stages[0].work(stop)
-        if self._pool is None:
-            self._pool = ThreadPoolExecutor(self.most - 1, thread_name_prefix="carom-worlds")
-        others = [self._pool.submit(stage.work, stop) for stage in stages[1:]]
+        others = [self._threads().submit(stage.work, stop) for stage in stages[1:]]
         try:
             done = stages[0].work(stop)
             return all([done, *(other.result() for other in others)])

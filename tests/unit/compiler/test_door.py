@@ -1,6 +1,9 @@
 """The door to the compiler: opened when it is needed, and not needed at all."""
 
+import os
 import sys
+import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -9,6 +12,7 @@ import carom
 from carom.compiler import cache, child, door
 from carom.world.kernels.broad_phase.grid import cell_of
 from tests import fresh
+from tests.forks import forked
 from tests.unit.compiler.one_kernel import ONE_KERNEL, STEPS, one_kernel
 from tests.worlds import crowded
 
@@ -127,3 +131,25 @@ def test_what_is_kept_ahead_is_compiled_once_and_loaded(monkeypatch: pytest.Monk
     assert door.keep(cell_of, (1.0, 1.0)) is None
     assert hasattr(door.load(cell_of), "signatures")
     assert door.load(cell_of)(7.5, 0.5) == 3
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no process is forked here")
+@pytest.mark.parametrize("lock", ["_compiling", "_importing"])
+def test_no_process_is_forked_while_a_thread_compiles(lock: str) -> None:
+    held = threading.Event()
+
+    def compiles() -> None:
+        with getattr(door, lock):
+            held.set()
+            time.sleep(0.2)
+
+    def goes_on() -> None:
+        assert getattr(door, lock).acquire(blocking=False)
+
+    thread = threading.Thread(target=compiles)
+    thread.start()
+    assert held.wait(5.0)
+    try:
+        assert forked(goes_on) == 0
+    finally:
+        thread.join()

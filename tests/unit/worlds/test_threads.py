@@ -1,6 +1,7 @@
-"""Threads: shares that are all copies, an interruption that stops everybody, and one thread in a worker."""
+"""Threads: shares that are all copies, an interruption that stops everybody, forks, and one thread in a worker."""
 
 import multiprocessing
+import os
 from typing import Any
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import carom
 from carom.worlds import threads
 from carom.worlds.stage import Stage
+from tests.forks import forked
 from tests.worlds import game_table
 
 
@@ -37,6 +39,22 @@ def test_an_interruption_stops_all_and_leaves_whole_copies(monkeypatch: pytest.M
     many.reset()
     many.step(1 / 50)
     assert len(set(many.digests())) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no process is forked here")
+def test_a_forked_process_has_threads_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(threads, "SHARE", 1)
+    many, alone = (carom.Worlds(game_table("discrete"), 4, threads=count) for count in (3, 1))
+    many.step(1 / 50)
+    alone.run(2 / 50, 1 / 50)
+
+    def goes_on() -> None:
+        many.step(1 / 50)
+        assert many.digests() == alone.digests()
+
+    assert forked(goes_on) == 0
+    assert forked(lambda: forked(goes_on)) == 0
+    goes_on()
 
 
 def test_a_process_that_another_has_started_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
