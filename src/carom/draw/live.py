@@ -208,7 +208,7 @@ def frame_around(box: Aabb, size: tuple[int, int], zoom: int) -> Frame:
 
 def drawn(shape: Shape, material: Look) -> Drawn:
     """A shape as it is to be drawn now."""
-    return Drawn(shape, look_now(shape, material), shape.id or 0)
+    return Drawn(shape, look_now(shape, material), shape.id or 0, shape._whole)
 
 
 def slowly(before: Measures, now: Measures) -> Measures:

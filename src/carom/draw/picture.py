@@ -290,7 +290,7 @@ def noted(panel: Panel, left_out: int) -> Panel:
 def drawn_of(shapes: Sequence[Shape], ids: Iterable[int]) -> tuple[Drawn, ...]:
     """Single shapes with their looks and ids, in the order in which they are drawn."""
     ends = ends_of(shapes)
-    drawn = [Drawn(shape, look_of(shape, ends), key) for shape, key in zip(shapes, ids, strict=True)]
+    drawn = [Drawn(shape, look_of(shape, ends), key, shape._whole) for shape, key in zip(shapes, ids, strict=True)]
     return tuple(sorted(drawn, key=lambda one: LOOKS.index(one.look)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
@@ -79,6 +79,12 @@ class Recording(Played):
     def __post_init__(self) -> None:
         for field, value in check_recording(self).items():
             object.__setattr__(self, field, RecordedHits.of(self, value) if field == "hits" else value)
+
+    def __reduce__(self) -> Any:
+        """The fields, plain arrays and tables, of which the same recording is made."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        values |= {"hits": np.asarray(self.hits), "names": dict(self.names), "statistics": dict(self.statistics)}
+        return type(self), tuple(values.values())
 
     @staticmethod
     @spelled

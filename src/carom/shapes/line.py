@@ -9,6 +9,7 @@ from carom.checks import number, pair, refuse
 from carom.errors import UnknownName
 from carom.geometry.line import closest_on_line, intersect_lines
 from carom.geometry.vector import unit
+from carom.shapes.copies import add_attributes
 from carom.spelling import spelled
 from carom.typing import Pair, Vector
 
@@ -57,6 +58,11 @@ class Line:
 
         def __setattr__(self, name: str, value: Any) -> None:
             raise UnknownName(f"{name} cannot be set: a Line cannot be changed")
+
+    def __setstate__(self, state: Any) -> None:
+        """Take what a copy or a pickle kept, past the refusal to be changed."""
+        for attributes in state:
+            add_attributes(self, attributes or {})
 
     def __repr__(self) -> str:
         return f"Line({(self._x, self._y)}, {self.gradient})"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from carom.draw.film.footage import Footage
@@ -36,6 +37,7 @@ class Film:
         theme: ThemeName = ThemeName.LIGHT,
         size: Size = None,
     ) -> None:
+        self._again = partial(Film, layers=layers, theme=theme, size=size)
         self._footage = Footage(recording)
         picture = self._footage.picture(len(recording) - 1, SPAN, layers=layers, size=size)
         self._picture = replace(picture, bands=FILM_BANDS)
@@ -43,6 +45,10 @@ class Film:
         self._picture.draw_still(self._painter)
         self._ground = self._painter.surface.copy()
         self._painter.quick = True
+
+    def __reduce__(self) -> Any:
+        """The recording, of which the frames are drawn anew."""
+        return self._again, (self.recording,)
 
     @property
     def recording(self) -> Recording:

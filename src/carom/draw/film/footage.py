@@ -69,7 +69,8 @@ class Footage:
     def _drawn(self, place: int) -> Drawn:
         """A shape as it stands now."""
         shape = self._shapes[place]
-        return Drawn(shape, look_now(shape, self._materials[place]), int(self.recording.shape_ids[place]))
+        look = look_now(shape, self._materials[place])
+        return Drawn(shape, look, int(self.recording.shape_ids[place]), shape._whole)
 
     def _track(self, ball: int) -> Track:
         """The way of a ball through the whole run."""
@@ -148,7 +149,7 @@ class Footage:
             layers=layers_of(layers),
             size=size,
             inks=self.inks,
-            names=recording.names,
+            names=dict(recording.names),
             cells=cells,
             measures=self.measures,
             of_run=True,

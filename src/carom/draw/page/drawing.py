@@ -127,14 +127,14 @@ def draw_shapes(painter: Painter, frame: Frame, shapes: Sequence[Drawn], weight:
     for drawn in shapes:
         painter.layer(f"{layer_of(drawn)} {drawn.id} {state} sign")
         sign_mark(painter, frame, drawn.shape)
-        if drawn.look is MOVING and rounded(drawn.shape.pivot) not in pivots:
+        if drawn.look == MOVING and rounded(drawn.shape.pivot) not in pivots:
             pivots.add(rounded(drawn.shape.pivot))
             pivot_mark(painter, frame, drawn.shape.pivot)
 
 
 def layer_of(drawn: Drawn) -> Layer:
     """The layer that a shape belongs to."""
-    return Layer.SENSORS if drawn.look is SENSOR else Layer.SHAPES
+    return Layer.SENSORS if drawn.look == SENSOR else Layer.SHAPES
 
 
 def pieces_of(painter: PagePainter, cast: Cast) -> list[Plain]:
@@ -206,7 +206,7 @@ def names_of(cast: Cast) -> list[Plain]:
             groups.setdefault((cast.recording.names[key], cast.movers[number] >= 0), []).append(number)
     return [
         {
-            "words": shared_label(name, [cast.shapes[member] for member in members]),
+            "words": shared_label(name, [shape._whole or shape for shape in map(cast.shapes.__getitem__, members)]),
             "mover": cast.movers[members[0]],
             "places": [list(anchor(cast.shapes[member])) for member in members[: 1 if moves else MOST_PLACES]],
         }
@@ -218,7 +218,7 @@ def samples_into(painter: PagePainter, cast: Cast, inks: Sequence[str]) -> Plain
     """Samples of what each layer shows; styles go to `painter`."""
     looks = {drawn.look for drawn in cast.drawn(colliding=True)} | {drawn.look for drawn in cast.drawn(colliding=False)}
     glyphs: dict[Layer, list[tuple[str, Glyph]]] = {
-        Layer.SHAPES: [(look.label, look_sample(look)) for look in LOOKS if look in looks and look is not SENSOR],
+        Layer.SHAPES: [(look.label, look_sample(look)) for look in LOOKS if look in looks and look != SENSOR],
         Layer.SENSORS: [("", look_sample(SENSOR))],
         Layer.BALLS: [("", ball_sample(list(dict.fromkeys(inks or ["ball"]))[:SAMPLE_BALLS]))],
         Layer.TRACKS: [("", track_sample(inks[0] if inks else "ball"))],

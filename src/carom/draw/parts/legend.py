@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import pi
 from typing import TYPE_CHECKING
 
@@ -52,46 +53,49 @@ GATE_OFFSET, HALF_GATE = 6.0, 7.0
 
 def look_sample(look: Look) -> Glyph:
     """The sample of a material: a line of it, or its dot, with the pivot or the arrow that belongs to it."""
+    return partial(_draw_look, look)  # what is drawn can be pickled, as a function within this one could not
 
-    def draw(painter: Painter, frame: Frame, middle: Vector) -> None:
-        x, y = middle
-        if look in (POST, GUARD):
-            painter.circle(frame.world(x, y), frame.units(look.dot), look.spot())
-            return
-        if look is GATE:
-            painter.segment(
-                frame.world(x - GATE_OFFSET, y - HALF_GATE), frame.world(x - GATE_OFFSET, y + HALF_GATE), look.style
-            )
-            arrow_mark(painter, frame, frame.world(x - GATE_OFFSET, y), (1.0, 0.0), look.style)
-            return
-        painter.segment(frame.world(x - HALF, y), frame.world(x + HALF, y), look.style)
-        if look is MOVING:
-            pivot_mark(painter, frame, frame.world(x - HALF, y))
 
-    return draw
+def _draw_look(look: Look, painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of a material."""
+    x, y = middle
+    if look in (POST, GUARD):
+        painter.circle(frame.world(x, y), frame.units(look.dot), look.spot())
+        return
+    if look == GATE:
+        painter.segment(
+            frame.world(x - GATE_OFFSET, y - HALF_GATE), frame.world(x - GATE_OFFSET, y + HALF_GATE), look.style
+        )
+        arrow_mark(painter, frame, frame.world(x - GATE_OFFSET, y), (1.0, 0.0), look.style)
+        return
+    painter.segment(frame.world(x - HALF, y), frame.world(x + HALF, y), look.style)
+    if look == MOVING:
+        pivot_mark(painter, frame, frame.world(x - HALF, y))
 
 
 def ball_sample(inks: Sequence[str]) -> Glyph:
     """The sample of balls: one to three of them, by the inks in use."""
+    return partial(_draw_balls, inks)
 
-    def draw(painter: Painter, frame: Frame, middle: Vector) -> None:
-        for number, ink in enumerate(inks):
-            x = middle[0] + 1.2 * BALL * (number - 0.5 * (len(inks) - 1))
-            ball_mark(painter, frame, frame.world(x, middle[1]), frame.units(BALL), ink)
 
-    return draw
+def _draw_balls(inks: Sequence[str], painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of balls."""
+    for number, ink in enumerate(inks):
+        x = middle[0] + 1.2 * BALL * (number - 0.5 * (len(inks) - 1))
+        ball_mark(painter, frame, frame.world(x, middle[1]), frame.units(BALL), ink)
 
 
 def track_sample(ink: str) -> Glyph:
     """The sample of a track: a line that fades to the left."""
+    return partial(_draw_track, ink)
 
-    def draw(painter: Painter, frame: Frame, middle: Vector) -> None:
-        edges = np.linspace(middle[0] - HALF, middle[0] + HALF, BANDS + 1)
-        for band in range(BANDS):
-            ends = [frame.world(float(x), middle[1]) for x in edges[band : band + 2]]
-            painter.polyline(np.array(ends), track_style(ink, band))
 
-    return draw
+def _draw_track(ink: str, painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of a track."""
+    edges = np.linspace(middle[0] - HALF, middle[0] + HALF, BANDS + 1)
+    for band in range(BANDS):
+        ends = [frame.world(float(x), middle[1]) for x in edges[band : band + 2]]
+        painter.polyline(np.array(ends), track_style(ink, band))
 
 
 def hit_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
@@ -137,11 +141,12 @@ def tangent_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
 
 def arrow_sample(style: Style) -> Glyph:
     """The sample of normals or of velocities: an arrow."""
+    return partial(_draw_arrow, style)
 
-    def draw(painter: Painter, frame: Frame, middle: Vector) -> None:
-        long_arrow_mark(painter, frame, frame.world(middle[0] - 0.9 * HALF, middle[1]), (1.0, 0.0), 1.8 * HALF, style)
 
-    return draw
+def _draw_arrow(style: Style, painter: Painter, frame: Frame, middle: Vector) -> None:
+    """Draw the sample of an arrow."""
+    long_arrow_mark(painter, frame, frame.world(middle[0] - 0.9 * HALF, middle[1]), (1.0, 0.0), 1.8 * HALF, style)
 
 
 def reticle_sample(painter: Painter, frame: Frame, middle: Vector) -> None:
@@ -165,7 +170,7 @@ ENTRIES: dict[Layer, tuple[str, Glyph]] = {
 
 def legend(looks: Collection[Look], inks: Sequence[str], shown: Collection[Layer]) -> tuple[tuple[str, Glyph], ...]:
     """The entries for the `looks` that occur, for balls of some `inks`, and for what else is `shown`."""
-    layer_of = {look: Layer.SENSORS if look is SENSOR else Layer.SHAPES for look in LOOKS}
+    layer_of = {look: Layer.SENSORS if look == SENSOR else Layer.SHAPES for look in LOOKS}
     entries = [(look.label, look_sample(look)) for look in LOOKS if look in looks and layer_of[look] in shown]
     if inks and Layer.BALLS in shown:
         entries.append(("balls", ball_sample(inks[:SAMPLE_BALLS])))

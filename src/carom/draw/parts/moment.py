@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from carom.draw.paint.painter import Points
     from carom.draw.parts.looks import Look
     from carom.rows.tables import Rows
+    from carom.shapes.assembly import Assembly
     from carom.shapes.shape import Shape
     from carom.world.world import World
 
@@ -51,11 +52,12 @@ class Balls:
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A single shape as it is drawn: how it looks, and its id where it was recorded."""
+    """A single shape as it is drawn: how it looks, its id where it was recorded, and what it is a part of."""
 
     shape: Shape
     look: Look
     id: int
+    whole: Assembly | None = None  # kept here too, for the copy of a part alone is free
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from carom.draw.parts.labels import Box, Boxes, Label, Place
     from carom.draw.parts.moment import Balls, Drawn
     from carom.draw.picture import Picture
+    from carom.shapes.assembly import Assembly
     from carom.shapes.shape import Shape
 
 LABEL = Lettering("text", 11.0, anchor="middle")
@@ -94,16 +95,16 @@ def ball_wishes(frame: Frame, names: Mapping[int, str], balls: Balls) -> Iterato
 
 def shape_wishes(frame: Frame, names: Mapping[int, str], shapes: Iterable[Drawn]) -> Iterator[Wish]:
     """Each name among some shapes, with the places that it may stand at; shapes of one name share a label."""
-    groups: dict[str, list[Shape]] = {}
+    groups: dict[str, list[Drawn]] = {}
     for drawn in shapes:
         if drawn.id in names:
-            groups.setdefault(names[drawn.id], []).append(drawn.shape)
+            groups.setdefault(names[drawn.id], []).append(drawn)
     for name, members in groups.items():
-        places = ((frame.pixel(*anchor(shape)), CLEAR) for shape in members[:MOST_PLACES])
-        yield wish(shared_label(name, members), places)
+        places = ((frame.pixel(*anchor(drawn.shape)), CLEAR) for drawn in members[:MOST_PLACES])
+        yield wish(shared_label(name, [drawn.whole or drawn.shape for drawn in members]), places)
 
 
-def shared_label(name: str, members: Iterable[Shape]) -> str:
-    """The words for all shapes of one name: it, and how many there are, the parts of a compound or group being one."""
-    count = len({id(shape.compound or shape.group or shape) for shape in members})
+def shared_label(name: str, members: Iterable[Shape | Assembly]) -> str:
+    """The words for all shapes of one name: it, and how many there are; for parts, what they are parts of is given."""
+    count = len({id(member) for member in members})
     return name if count == 1 else f"{name} \N{MULTIPLICATION SIGN} {count}"

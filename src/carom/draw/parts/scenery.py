@@ -35,12 +35,12 @@ FAST_ARROW, SHORTEST_ARROW = 44.0, 4.0
 
 def draw_shapes(painter: Painter, picture: Picture, shapes: Iterable[Drawn], *, sensors: bool) -> None:
     """Draw the sensors among some shapes, or all others; then the arrows of gates and the pivots of moving parts."""
-    chosen = [drawn for drawn in shapes if (drawn.look is SENSOR) == sensors]
+    chosen = [drawn for drawn in shapes if (drawn.look == SENSOR) == sensors]
     for drawn in chosen:
         shape_mark(painter, picture.frame, drawn.shape, drawn.look, picture.weight)
     for drawn in chosen:
         sign_mark(painter, picture.frame, drawn.shape)
-    for pivot in dict.fromkeys(rounded(drawn.shape.pivot) for drawn in chosen if drawn.look is MOVING):
+    for pivot in dict.fromkeys(rounded(drawn.shape.pivot) for drawn in chosen if drawn.look == MOVING):
         pivot_mark(painter, picture.frame, pivot)
 
 
