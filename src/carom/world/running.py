@@ -34,6 +34,11 @@ class KeepNone:
     def __init__(self, world: World) -> None:
         self._world = world
         self._gone: list[Rows] = []
+        self._told = False
+
+    def begin(self) -> None:
+        """Take the hits that a run before this one has made and not returned: they are of no step of this one."""
+        self._add_rows(self._world._arrays.owed_hits())
 
     def add(self, hits: Hits) -> None:
         """Take the hits of some steps."""
@@ -53,13 +58,19 @@ class KeepNone:
             self._world._left = gone
         return self.result()
 
-    def fail(self, error: BaseException) -> None:
-        """Put what is kept into the error of a step, or leave it to the next step or run after an interruption."""
-        if isinstance(error, (InvalidArgument, NonFiniteState, ImpactLimit)) and error.hits is not None:
-            self._add_rows(error.hits)
-            error.hits = self.result()
+    def tell(self, error: InvalidArgument | NonFiniteState | ImpactLimit) -> None:
+        """Put what is kept into the error of a step."""
+        self._add_rows(NO_ROWS if error.hits is None else error.hits)
+        error.hits = self.result()
+        self._told = True
+
+    def leave(self) -> None:
+        """Leave what is kept to the next step or run, unless an error of a step tells it."""
+        if self._told:
             return
         self._give_back()
+        self._world._arrays.owe_hits()
+        self._world._forget_block()
         for rows in self._gone:
             self._world._departed.keep_balls(rows)
 
@@ -90,7 +101,6 @@ class KeepAll(KeepNone):
 
     def _give_back(self) -> None:
         self._world._arrays.give_back(_joined(self._parts))
-        self._world._forget_block()
 
 
 class KeepCounts(KeepNone):
@@ -129,6 +139,8 @@ def run_steps(
     """
     world._departed.forget_oldest()
     done, size, over = 0, 1, False
+    if ending is not None:
+        kept.begin()
     try:
         while done < steps and not over:
             began = clock.perf_counter()
@@ -142,22 +154,22 @@ def run_steps(
             elif took > 2.0 * SLICE_SECONDS:
                 size = max(size // 2, 1)
         return kept.finish()
-    except BaseException as error:
-        kept.fail(error)
+    except BaseException:
+        kept.leave()
         raise
 
 
 def _slice(world: World, count: int, length: float, ending: Ending | None, kept: KeepNone) -> tuple[int, bool]:
     """How many of a number of steps have been made, and whether the run is over by its condition."""
     if ending is None:
-        kept.add(world._advance(count, length))
+        kept.add(_made(world, count, length, kept))
         return count, False
     state = world._states[0]
     made = 0
     while made < count:
         state["steps_made"], state["stop_hits"] = 0, ending.hits_to_wait_for
         try:
-            hits = world._advance(count - made if ending.hits_to_wait_for else 1, length)
+            hits = _made(world, count - made if ending.hits_to_wait_for else 1, length, kept)
         finally:
             state["stop_hits"] = 0
         made += int(state["steps_made"])
@@ -165,6 +177,15 @@ def _slice(world: World, count: int, length: float, ending: Ending | None, kept:
         if ending.is_over(hits):
             return made, True
     return count, False
+
+
+def _made(world: World, steps: int, length: float, kept: KeepNone) -> Hits:
+    """The hits of some steps; the error of one that fails tells what is kept, that of a user's function does not."""
+    try:
+        return world._advance(steps, length)
+    except (InvalidArgument, NonFiniteState, ImpactLimit) as error:
+        kept.tell(error)
+        raise
 
 
 def _watched(world: World, progress: Callable[[float, float], Any], done: float, total: float) -> None:

@@ -234,6 +234,7 @@ def fill(arrays: Arrays, contents: Contents) -> None:
     if count > 0:
         arrays.hits = grown(contents.hits, count + 64, count)
     arrays.states[0]["hits"] = count
+    arrays.owed = 0
     set_relations(arrays, contents.relation_list)
     arrays.prepare()
     _keep_saved(arrays, contents.courses)

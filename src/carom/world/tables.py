@@ -137,6 +137,7 @@ class Arrays:
         self.pairs = np.zeros((16, 2), "u4")
         self.saved = np.zeros(0, SAVED)
         self.hits = np.zeros(64, HIT)
+        self.owed = 0
         self._hits_seen: Rows | None = None
         self.relations = np.zeros(32, RELATION)
         self.flights = np.zeros(0, FLIGHT)
@@ -304,6 +305,19 @@ class Arrays:
         count = int(state["hits"])
         self.hits = np.concatenate([hits, self.hits[:count], np.zeros(64, HIT)])
         state["hits"] = len(hits) + count
+
+    def owe_hits(self) -> None:
+        """Note that the hits that are here are owed: of steps that were made, in a call that has not returned them."""
+        self.owed = int(self.states[0]["hits"])
+
+    def owed_hits(self) -> Rows:
+        """Take out the hits that are owed."""
+        state, owed = self.states[0], self.owed
+        count = int(state["hits"])
+        rows = self.hits[:owed].copy()
+        self.hits[: count - owed] = self.hits[owed:count].copy()
+        state["hits"], self.owed = count - owed, 0
+        return rows
 
     @staticmethod
     def _at_least(rows: Rows, wanted: int, keep: int = 0, slack: float = 2.0) -> Rows:

@@ -204,7 +204,9 @@ class World(Settings, Members, Queries, Pictured, Spelled):
 
         Raises:
             As `step`; the steps before the one that failed have been made, and what is kept of their hits is in the
-            exception's `hits`.
+            exception's `hits`. What a function of yours raises, and Ctrl-C, ends the run after a whole step: the hits
+            that it keeps ("all") are returned by the next step or run, whether or not `until` has seen them. To what
+            ends that run they count for nothing.
         """
         total = checks.non_negative("seconds", seconds)
         length = checks.positive("dt", dt)
@@ -222,6 +224,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """The hits of a number of steps, made without coming back to Python but for more room and for strays."""
         # First of all, for the block whose address it holds may go, and Ctrl-C may come.
         self._quick = None
+        self._arrays.owed = 0
         if self._lent is not None:
             see_lent(self)
         state = self._states[0]
