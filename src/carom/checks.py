@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from itertools import islice
 from math import isfinite
 from reprlib import Repr
@@ -150,6 +151,17 @@ def text_or_none(name: str, value: Any) -> str | None:
     if value is None or isinstance(value, str):
         return value
     raise refuse(name, "must be a string or None", value)
+
+
+def path(name: str, value: Any) -> str:
+    """`value`, a string or what `os.fspath` makes one of, as the name of a file or folder."""
+    try:
+        given = os.fspath(value)
+    except TypeError:
+        given = None
+    if isinstance(given, str) and given and "\0" not in given:
+        return given
+    raise refuse(name, "must be a file's name", value)
 
 
 def one_of(name: str, value: Any, choices: tuple[Word, ...]) -> Word:

@@ -19,8 +19,9 @@ from zipfile import ZIP_DEFLATED, BadZipFile, ZipFile, ZipInfo
 
 import numpy as np
 
+from carom import checks
 from carom.checks import LONGEST_VALUE, written
-from carom.errors import CaromError, RecordingError
+from carom.errors import CaromError, InvalidArgument, RecordingError
 from carom.limits import LARGEST_RECORDING, LONGEST_FILE, LONGEST_LISTING
 from carom.record.check import ARRAYS, COUNTED
 from carom.rows.hit import HIT
@@ -105,9 +106,10 @@ class _Archive(io.FileIO):
 
 def _checked(path: Any) -> str:
     """A path as text; raises where it is none."""
-    if not isinstance(path, (str, os.PathLike)) or "\0" in os.fspath(path):
-        raise RecordingError(f"path must be a file's name, not {path!r}")
-    return os.fspath(path)
+    try:
+        return checks.path("path", path)
+    except InvalidArgument as error:
+        raise RecordingError(str(error)) from None
 
 
 def _add(archive: ZipFile, name: str, data: bytes) -> None:

@@ -31,8 +31,10 @@ def _scene(value: Any) -> Any:
             return Scene.from_world(value)
         if isinstance(value, dict):
             return Scene(**value)
-        if isinstance(value, str):
-            return Scene.load(value) if Path(value).suffix else scenes.by_name(value)
+        if isinstance(value, str) and not Path(value).suffix:
+            return scenes.by_name(value)
+        if isinstance(value, (str, os.PathLike)):
+            return Scene.load(value)
     except SceneError as error:
         raise fault_below("", str(error)) from None
     return value

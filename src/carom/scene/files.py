@@ -13,7 +13,8 @@ from typing import Any, TypeAlias
 
 import tomli_w
 
-from carom.errors import SceneError
+from carom import checks
+from carom.errors import InvalidArgument, SceneError
 from carom.limits import LONGEST_FILE
 from carom.scene.scanning import check_json, check_toml
 from carom.scene.toml_runs import read_toml
@@ -58,10 +59,17 @@ def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
             beside.unlink()
 
 
+def path_of(path: Any) -> str:
+    """A path as text; raises `SceneError` where it is none."""
+    try:
+        return checks.path("path", path)
+    except InvalidArgument as error:
+        raise SceneError(str(error)) from None
+
+
 def _form_of(path: Any) -> tuple[Callable[[str], Plain], Callable[[Plain], str]]:
     """How files with this path's ending are read and written."""
-    if not isinstance(path, (str, os.PathLike)) or "\0" in os.fspath(path):
-        raise SceneError(f"path must be a file's name, not {path!r}")
+    path = path_of(path)
     ending = Path(path).suffix.lower()
     if ending not in _FORMS:
         known = " or ".join(_FORMS)

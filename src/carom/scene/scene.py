@@ -20,7 +20,7 @@ from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.reading import ENDINGS, is_drawing, read_drawing
 from carom.scene.faults import Faults, field_of, is_elsewhere, is_unknown
 from carom.scene.fields import Text
-from carom.scene.files import Plain, read_plain, write_plain
+from carom.scene.files import Plain, path_of, read_plain, write_plain
 from carom.scene.guarding import guarded
 from carom.scene.lists import LISTS, BallList, ShapeList, checked_list, crowd
 from carom.spelling import spelled
@@ -93,6 +93,7 @@ class Scene(Descriptor, Pictured):
         default a thousandth of the drawing's size; ends nearer than it are joined. What is no part of a scene, such as
         text, is left out with a `DrawingWarning`. Raises `SceneError` with the file's name and every fault in it.
         """
+        path = path_of(path)
         drawn = is_drawing(path)
         if tolerance is not None and not drawn:
             raise refuse("tolerance", f"is for drawings, {' and '.join(ENDINGS)}", tolerance)
@@ -105,7 +106,7 @@ class Scene(Descriptor, Pictured):
             else:
                 scene._fill(table)
         except SceneError as error:
-            raise SceneError(f"{os.fspath(path)}: {error}") from None
+            raise SceneError(f"{path}: {error}") from None
         return scene
 
     def save(self, path: str | os.PathLike[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from collections.abc import Sequence
 from contextlib import suppress
@@ -10,7 +11,7 @@ from subprocess import PIPE
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
-from carom.checks import refuse
+from carom import checks
 from carom.errors import CaromError, MissingExtra
 from carom.extras import needed
 from carom.spelling import spelled
@@ -59,7 +60,9 @@ def encoder() -> str:
 
 
 @spelled
-def write_film(film: Film | Sequence[Film], path: Path, tell: Callable[[int, int], Any] | None = None) -> None:
+def write_film(
+    film: Film | Sequence[Film], path: str | os.PathLike[str], tell: Callable[[int, int], Any] | None = None
+) -> None:
     """Write a `.gif` or `.mp4` file that plays a film as fast as it happened.
 
     Args:
@@ -72,13 +75,14 @@ def write_film(film: Film | Sequence[Film], path: Path, tell: Callable[[int, int
         InvalidArgument: The file has another ending, or there are no films, or films of different sizes.
         MissingExtra: There is no encoder.
     """
-    ending = path.suffix.lower()
+    target = Path(checks.path("path", path))
+    ending = target.suffix.lower()
     if ending not in RATES:
-        raise refuse("path", f"must end in {' or '.join(RATES)}", str(path))
+        raise checks.refuse("path", f"must end in {' or '.join(RATES)}", str(target))
     films = list(film) if isinstance(film, Sequence) else [film]
     sizes = [one.pixels for one in films]
     if len(set(sizes)) != 1:
-        raise refuse("film", "must be one or several of the same size", sizes)
+        raise checks.refuse("film", "must be one or several of the same size", sizes)
     frames = [(one, frame) for one in films for frame in frames_of(one, RATES[ending])]
 
     def pictures() -> Iterable[bytes]:
@@ -88,13 +92,13 @@ def write_film(film: Film | Sequence[Film], path: Path, tell: Callable[[int, int
                 tell(done, len(frames))
 
     if ending == ".mp4":
-        encode(sizes[0], RATES[ending], pictures(), MP4, path)
+        encode(sizes[0], RATES[ending], pictures(), MP4, target)
         return
     with TemporaryDirectory() as folder:
         palette = Path(folder) / "palette.png"
         samples = frames[:: max(1, -(-len(frames) // MOST_SAMPLES))]
         encode(sizes[0], 1, (one.rgb(frame) for one, frame in samples), PALETTE, palette)
-        encode(sizes[0], RATES[ending], pictures(), {"-i": str(palette)} | GIF, path)
+        encode(sizes[0], RATES[ending], pictures(), {"-i": f"file:{palette}"} | GIF, target)
 
 
 def frames_of(film: Film, rate: int) -> list[int]:
@@ -109,7 +113,7 @@ def encode(size: tuple[int, int], rate: int, pictures: Iterable[bytes], options:
     width, height = size
     source = {"-f": "rawvideo", "-pix_fmt": "rgb24", "-s": f"{width}x{height}", "-r": str(rate), "-i": "-"}
     words = (word for table in (source, options, PLAIN) for pair in table.items() for word in pair)
-    command = [encoder(), "-y", "-nostdin", "-loglevel", "error", *words, str(path)]
+    command = [encoder(), "-y", "-nostdin", "-loglevel", "error", *words, f"file:{path}"]
     # In a session of its own, where Ctrl-C does not reach it: who gives it pictures decides what becomes of it.
     with subprocess.Popen(
         command, stdin=PIPE, stdout=subprocess.DEVNULL, stderr=PIPE, start_new_session=True

@@ -12,8 +12,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, Protocol
 
+from carom import checks
 from carom.checks import refuse
-from carom.errors import SweepError
+from carom.errors import InvalidArgument, SweepError
 from carom.extras import needed
 from carom.scene.files import write_whole
 
@@ -161,6 +162,7 @@ def store_of(out: Any) -> Store:
     """The place that the argument `out` of a sweep means; raises `InvalidArgument` where it means none."""
     if isinstance(out, str) and "://" in out:
         return Address(out)
-    if not isinstance(out, (str, os.PathLike)) or not os.fspath(out) or "\0" in str(os.fspath(out)):
-        raise refuse("out", "must be a folder, or an address that fsspec knows", out)
-    return Folder(out)
+    try:
+        return Folder(checks.path("out", out))
+    except InvalidArgument:
+        raise refuse("out", "must be a folder, or an address that fsspec knows", out) from None
