@@ -146,6 +146,13 @@ def layers(name: str, value: Any) -> int:
     return whole(name, value, 0, ALL_LAYERS)
 
 
+def text(name: str, value: Any) -> str:
+    """`value` as a string."""
+    if isinstance(value, str):
+        return value
+    raise refuse(name, "must be a string", value)
+
+
 def text_or_none(name: str, value: Any) -> str | None:
     """`value` as a string or None."""
     if value is None or isinstance(value, str):

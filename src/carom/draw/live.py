@@ -110,7 +110,10 @@ class Live:
         self.refresh()
 
     def note(self, hits: Rows) -> None:
-        """Remember the `hits` of a step that was just made, and where the balls are now."""
+        """Remember the `hits` of a step that was just made, and where the balls are now.
+
+        Raises `InvalidArgument` where these are none, or those of another world.
+        """
         self._past.note(hits)
 
     def forget(self) -> None:

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from carom import checks
+from carom.errors import RecordingError
 from carom.record.members import names_in, parts
 from carom.record.recording import Recording
 from carom.rows.hit import HIT
 from carom.rows.shape import KINEMATIC
 from carom.scene.scene import Scene
+from carom.shapes.ball import Ball
+from carom.shapes.label import name_of
 from carom.spelling import spelled
+from carom.world.hits import rows_of
 from carom.world.tables import joined
 from carom.world.world import World
 
@@ -48,11 +53,13 @@ class Recorder:
         if not isinstance(world, World):
             raise checks.refuse("world", "must be a World", world)
         self._world = world
-        self._name, self._about = name, about
+        self._name, self._about = checks.text("name", name), checks.text("about", about)
         self._every = checks.whole("every", every, 1)
         self._steps = 0
         self._scene = Scene.from_world(world)
         self._names = names_in(world)
+        self._there = world.balls.id.copy()
+        self._time = world.time
         self._shape_ids = np.array([shape.id for shape in parts(world.shapes)], np.int64)
         rows = world._arrays.shapes.used
         self._moving = rows["id"][(rows["motion"] == KINEMATIC) & np.isin(rows["id"], self._shape_ids)].copy()
@@ -64,18 +71,33 @@ class Recorder:
         self._take()
 
     @spelled
-    def note(self, hits: Rows | None = None) -> None:
-        """Note a step that was made, and its `hits`."""
-        if hits is not None and len(hits):
-            self._hits.append(np.asarray(hits))
-        self._steps += 1
-        if self._steps % self._every == 0:
+    def note(self, hits: Rows) -> None:
+        """Note a step that was made, and its `hits`.
+
+        Raises, and leaves what was noted as it is, which `finish` makes a recording of:
+            InvalidArgument: The hits are none, or those of another world.
+            RecordingError: The world has gone back in time since the last note, as by `restore`, or holds balls that
+                no recording can hold, as ones whose place is NaN.
+        """
+        rows = rows_of(self._world, hits)
+        if self._has_gone_back():
+            raise RecordingError(
+                f"the world has gone back from {self._time:g} s to {self._world.time:g} s since the last note, and a"
+                " recording goes forward; finish() gives what was noted"
+            )
+        if (self._steps + 1) % self._every == 0:
             self._take()
+        self._keep_names(rows)
+        if len(rows):
+            self._hits.append(rows)
+        self._steps += 1
+        self._time = self._world.time
 
     def finish(self) -> Recording:
         """The recording of all that was noted until now; the last step is a frame of it."""
-        if self._steps % self._every != 0:
-            self._take()
+        if self._steps % self._every != 0 and not self._has_gone_back():
+            with suppress(RecordingError):
+                self._take()
             self._steps = 0
         hits = joined(self._hits, HIT)
         ids = np.unique(np.concatenate([rows["id"] for rows in self._balls]))
@@ -89,17 +111,41 @@ class Recorder:
             poses=np.array(self._poses).reshape(len(self._times), len(self._moving), 3),
             # A ball in flight finds out that it has left a sensor only later, sometimes after a step's end.
             hits=np.take(hits, np.argsort(hits["time"], kind="stable")),
-            names=self._names | names_in(self._world),
+            names=self._names if self._has_gone_back() else self._names | names_in(self._world),
             statistics=self._world.statistics.as_dict(),
             name=self._name,
             about=self._about,
         )
 
+    def _has_gone_back(self) -> bool:
+        """Whether the world stands at an earlier time than at the last note."""
+        return self._world.time < self._time
+
+    def _keep_names(self, hits: Rows) -> None:
+        """Keep the names of what has left since the last note, and of what came meanwhile and was hit."""
+        ids = self._world.balls.id
+        if not np.array_equal(ids, self._there):
+            gone = np.setdiff1d(self._there, ids)
+            self._there = ids.copy()
+        elif not len(hits):
+            return
+        else:
+            gone = ids[:0]
+        for key in np.unique(np.concatenate([gone, hits["ball"], hits["shape"]])).tolist():
+            member = self._world._departed.find(key)
+            name = None if member is None else member.name if isinstance(member, Ball) else name_of(member)
+            if name:
+                self._names[key] = name
+
     def _take(self) -> None:
-        """Note the world as it stands as a frame."""
+        """Note the world as it stands as a frame; raises `RecordingError` where no recording could hold it."""
         arrays = self._world._arrays
+        balls = arrays.balls.used[BALL_FIELDS].copy()
+        finite = all(np.isfinite(balls[field]).all() for field in BALL_FIELDS)
+        if not finite or (balls["radius"] <= 0.0).any() or (balls["mass"] <= 0.0).any():
+            raise RecordingError("the world's balls must be finite, their radii and masses positive")
+        self._balls.append(balls)
         self._times.append(self._world.time)
-        self._balls.append(arrays.balls.used[BALL_FIELDS].copy())
         shapes = arrays.shapes.used
         there, indices = self._indices(shapes["id"], self._moving)
         poses = self._poses[-1].copy() if self._poses else np.zeros((len(self._moving), 3))
@@ -168,7 +214,7 @@ def recorded(
         count = min(recorder._every, steps - done)
         hits = world.run(count * length, dt=length)
         for step in range(count):
-            recorder.note(hits if step == 0 else None)
+            recorder.note(hits if step == 0 else hits[:0])
         done += count
         if progress is not None:
             progress(done * length, steps * length)

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.checks import refuse
 from carom.extras import needed
 from carom.rows.hit import BOUNCE, ENTER, EXIT, HIT, HIT_ROW
 from carom.rows.tables import Rows
 from carom.typing import Vector
 from carom.world.boundary import Boundary, boundary_of
 from carom.world.counts import Counter, Counts
-from carom.world.plural import OfHits
+from carom.world.plural import OfHits, Plural
 from carom.world.touches import Touches
 
 if TYPE_CHECKING:
@@ -170,6 +171,15 @@ class Hits(OfHits[Hit]):
                 columns[name] = np.ascontiguousarray(rows[name])
         table: pyarrow.Table = module.table(columns)
         return table
+
+
+def rows_of(world: World, hits: Any) -> Rows:
+    """The rows of hits of `world`, as such or as a plain array of them; raises `InvalidArgument` for anything else."""
+    if not isinstance(hits, np.ndarray) or hits.dtype != HIT or hits.ndim != 1:
+        raise refuse("hits", "must be those that a step or a run has returned", hits)
+    if isinstance(hits, Plural) and hits._link is not None and hits._link.world not in (None, world):
+        raise refuse("hits", f"must be those of {world!r}", hits._link.world)
+    return hits.view(np.ndarray)
 
 
 #: What a step without hits returns the rows of.

@@ -10,6 +10,7 @@ from carom.draw.history.trace import MOST_FOLLOWED
 from carom.draw.history.tracks import Track, Ways
 from carom.draw.parts.moment import bounces_of, latest_of, strongest
 from carom.rows.hit import HIT
+from carom.world.hits import rows_of
 
 if TYPE_CHECKING:
     from carom.rows.tables import Rows
@@ -44,7 +45,7 @@ class Past:
 
     def note(self, hits: Rows) -> None:
         """Remember where the followed balls are now, and the `hits` of the step that brought them there."""
-        bounces = bounces_of(hits)
+        bounces = bounces_of(rows_of(self._world, hits))
         if len(bounces) or len(self._bounces):
             joined = np.concatenate([self._bounces, bounces])
             self._bounces = joined[joined["time"] > self.since][-MOST_BOUNCES:]

@@ -18,6 +18,7 @@ from carom.draw.parts.moment import MOST_LATEST, bounces_of, latest_of, stronges
 from carom.rows.hit import HIT
 from carom.rows.tables import Rows
 from carom.spelling import spelled
+from carom.world.hits import rows_of
 
 if TYPE_CHECKING:
     from carom.world.world import World
@@ -72,8 +73,11 @@ class Trace:
         return self._followed[:]
 
     def note(self, hits: Rows) -> None:
-        """Remember where the followed balls are now, and the `hits` of the step that brought them there."""
-        bounces = bounces_of(hits)
+        """Remember where the followed balls are now, and the `hits` of the step that brought them there.
+
+        Raises `InvalidArgument` where these are none, or those of another world.
+        """
+        bounces = bounces_of(rows_of(self._world, hits))
         self.bounces += len(bounces)
         self._go_on(bounces)
         if len(bounces) > 0:

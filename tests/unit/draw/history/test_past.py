@@ -67,3 +67,12 @@ def test_of_bounces_those_of_the_span_are_kept_and_of_too_many_the_last() -> Non
     world.run(2.0)
     past.note(hits[:0])
     assert len(past.hits) == len(past.latest) == 0
+
+
+def test_what_are_no_hits_of_the_world_is_refused() -> None:
+    world, other = (world_of(carom.Ball((0, 0), 0.5)) for _ in range(2))
+    past = Past(world, 1.0)
+    for bad in (None, [], other.step(STEP)):
+        with pytest.raises(carom.InvalidArgument, match="hits must be those"):
+            past.note(bad)
+    past.note(world.step(STEP))

@@ -118,3 +118,12 @@ def test_tracing_changes_nothing() -> None:
     for _ in range(60):
         worlds[1].step(STEP)
     assert worlds[0].digest() == worlds[1].digest()
+
+
+def test_what_are_no_hits_of_the_world_is_refused() -> None:
+    world, other = (world_of(carom.Ball((0, 0), 0.5)) for _ in range(2))
+    trace = Trace(world)
+    for bad in (None, [], other.step(STEP)):
+        with pytest.raises(carom.InvalidArgument, match="hits must be those"):
+            trace.note(bad)
+    trace.note(world.step(STEP))
