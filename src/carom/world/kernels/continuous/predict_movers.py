@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from math import fabs, floor, inf, sqrt
 
-from carom.constants import INDEX_MARGIN, MOVER_LOOKS, MOVER_TURN, MOVER_WAY
+from carom.constants import INDEX_MARGIN, MOVER_LOOKS, MOVER_TURN, MOVER_WAY, SEPARATION_SLACK
 from carom.geometry.impact import impact_disc
-from carom.geometry.path import Path, path_after
+from carom.geometry.path import Path, path_after, place_on
 from carom.rows.ball import BallRow
 from carom.rows.flight import HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds import has_ends
@@ -20,11 +20,11 @@ from carom.rows.relation import RelationRow
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.flight import consider, event_age, path_at, path_box, path_of, time_to_go
+from carom.world.kernels.continuous.flight import age_now, consider, event_age, path_at, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion
+from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, impact_in_motion
 from carom.world.kernels.step.relations import is_related
 
 
@@ -70,7 +70,7 @@ def predict_mover(
     """
     if not may_collide(ball, shape):
         return
-    motion_age = age_of_motion(shape, flight)
+    motion_age, now = age_of_motion(shape, flight), age_now(state, flight)
     # The ages of both when the later of them began.
     begin, shape_begin = max(-motion_age, 0.0), max(motion_age, 0.0)
     path = path_at(ball, flight, begin)
@@ -97,12 +97,37 @@ def predict_mover(
             number += max(1.0 * floor(clear / length), 1.0)
             continue
         state["full_tests"] += 1
-        time = impact_in_motion(shape, shape_begin + start, path_after(path, start), radius, length, 1.0)
+        gone = now - (begin + start)
+        time = impact_from(shape, shape_begin + start, path_after(path, start), radius, length, gone)
         if time is not None:
             consider(flight, begin + (start + time), HIT_SHAPE, row)
             return
         number += 1.0
     consider(flight, begin + number * length, LOOK, NO_BALL)
+
+
+def impact_from(
+    shape: ShapeRow, motion_age: float, path: Path, radius: float, duration: float, gone: float
+) -> float | None:
+    """The time of a path at which a ball touches a moving shape, or None; `gone` is that which is over.
+
+    What it would have met in that was off then: it is asked from now on.
+    """
+    time = impact_in_motion(shape, motion_age, path, radius, duration, 1.0)
+    if time is None or time >= gone or touches_at(shape, motion_age, path, gone, radius):
+        return time
+    time = impact_in_motion(shape, motion_age + gone, path_after(path, gone), radius, duration - gone, 1.0)
+    return None if time is None else gone + time
+
+
+def touches_at(shape: ShapeRow, motion_age: float, path: Path, age: float, radius: float) -> bool:
+    """True if a ball touches a shape at an age of its path, which began at an age of the shape's motion."""
+    x, y = place_on(path, age)
+    found = gap_to_shape(shape, motion_age + age, x, y, radius, 0.0, 0.0)
+    if found is None:
+        return False
+    gap, _nx, _ny = found
+    return gap <= SEPARATION_SLACK * radius
 
 
 def slice_length(shape: ShapeRow, path: Path, reach: float, radius: float) -> float:

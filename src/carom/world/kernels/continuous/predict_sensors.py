@@ -92,11 +92,11 @@ def predict_change(
             return
         number += 1.0
         end = time_to_go(speed, pull, number * way)
-        # What it is on now it may have come onto since an earlier look; or that moved otherwise then.
-        began_later = not wanted and begin < age and answer(ball, flight, shape, question, age, 0.0)
-        if answer(ball, flight, shape, question, end, 0.0) == wanted and not (began_later and end <= age):
+        # What it is on now it may have come onto since an earlier look; or the shape was elsewhere then.
+        not_yet = begin < age and answer(ball, flight, shape, question, age, 0.0) != wanted
+        if answer(ball, flight, shape, question, end, 0.0) == wanted and not (not_yet and end <= age):
             found = time_of_change(ball, flight, shape, question, wanted, max(begin, 0.0), end)
-            if began_later and found < age:
+            if not_yet and found < age:
                 found = time_of_change(ball, flight, shape, question, wanted, age, end)
             if not wanted and found > 0.0:
                 # At the very instant at which the ball came it would be where it came still, and come again.

@@ -31,9 +31,9 @@ from carom.world.kernels.broad_phase.shape_index import (
     locate,
     quarter_of,
 )
-from carom.world.kernels.continuous.flight import age_at, consider, event_age, path_box, path_of, time_to_go
+from carom.world.kernels.continuous.flight import age_at, age_now, consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.lasting import is_walked_over
-from carom.world.kernels.continuous.predict_movers import predict_movers
+from carom.world.kernels.continuous.predict_movers import predict_movers, touches_at
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.step.relations import is_related
@@ -357,9 +357,10 @@ def predict_members(
 ) -> None:
     """Foresee impacts with those of the shapes `members[low:high]` that stand still, on a slice of a ball's way.
 
-    What it meets later is found on a later slice, so that most shapes near a wall that it leaves take little.
+    What it meets later is found on a later slice, so that most shapes near a wall that it leaves take little. What it
+    would have met before now has come since, or was off: that is asked from now on.
     """
-    path, radius = path_of(ball, flight), float(ball["radius"])
+    path, radius, age = path_of(ball, flight), float(ball["radius"]), age_now(state, flight)
     left, bottom, right, top, reach = -inf, -inf, inf, inf, radius
     if end < inf:
         left, bottom, right, top = path_box(path, begin, end)
@@ -380,14 +381,21 @@ def predict_members(
         ):
             state["full_tests"] += 1
             came, until = age_of_rest(shape, flight), min(end, event_age(flight))
-            if came == 0.0:
-                time = impact_at_rest(shape, path, radius, until)
-            else:
-                time = impact_at_rest(shape, path_after(path, came), radius, until - came)
+            time = impact_since(shape, path, came, radius, until)
+            if time is not None and time < age and not touches_at(shape, 0.0, path, age, radius):
+                time = impact_since(shape, path, age, radius, until)
             if time is not None and not is_walked_over(ball, flight, shape, shapes, relations):
-                consider_shape(flight, shapes, came + time, row)
+                consider_shape(flight, shapes, time, row)
             if is_entered_past_ends(ball, shape):
                 predict_entry(ball, flight, shape, row, begin)
+
+
+def impact_since(shape: ShapeRow, path: Path, came: float, radius: float, until: float) -> float | None:
+    """When a ball on a path touches a shape at rest that it can meet since it `came` there, or None by a time."""
+    if came == 0.0:
+        return impact_at_rest(shape, path, radius, until)
+    time = impact_at_rest(shape, path_after(path, came), radius, until - came)
+    return None if time is None else came + time
 
 
 def age_of_rest(shape: ShapeRow, flight: FlightRow) -> float:
