@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from itertools import islice
 from math import isfinite
+from operator import index
 from reprlib import Repr
 from typing import Any, TypeVar
 
@@ -17,6 +18,8 @@ from carom.typing import Vector
 
 #: One of a few words.
 Word = TypeVar("Word", bound=str)
+#: Something of a class.
+Kind = TypeVar("Kind")
 
 #: Characters of a refused value in a message at most.
 LONGEST_VALUE = 1000
@@ -130,11 +133,28 @@ def flag(name: str, value: Any) -> bool:
     raise refuse(name, "must be True or False", value)
 
 
+def instance(name: str, value: Any, kind: type[Kind], what: str) -> Kind:
+    """`value`, which must be of a class; `what` says that in words, `a World`."""
+    if isinstance(value, kind):
+        return value
+    raise refuse(name, f"must be {what}", value)
+
+
+def callable_or_none(name: str, value: Any) -> Any:
+    """`value` as something that can be called, or None."""
+    if value is None or callable(value):
+        return value
+    raise refuse(name, "must be callable or None", value)
+
+
 def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1, reason: str = "") -> int:
     """`value` as an int from `least` to `most`; a larger one is told the `reason` where there is one."""
-    if isinstance(value, (bool, str, bytes, float)) or not hasattr(value, "__index__"):
+    try:
+        result = int(index(value))
+    except TypeError:
+        raise refuse(name, "must be a whole number", value) from None
+    if isinstance(value, bool):
         raise refuse(name, "must be a whole number", value)
-    result = int(value.__index__())
     if not least <= result <= most:
         why = f" ({reason})" if reason and result > most else ""
         raise refuse(name, f"must be from {least} to {most}{why}", value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from carom.checks import refuse, whole
+from carom.checks import instance, refuse, whole
 from carom.draw.history.past import Past
 from carom.draw.paint.raster import RasterPainter
 from carom.draw.parts.cells import partition_of
@@ -20,16 +20,17 @@ from carom.draw.picture import Picture, weight_for
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.record.members import names_in, parts
 from carom.rows.shape import Motion
+from carom.shapes.aabb import Aabb
+from carom.shapes.assembly import Assembly
+from carom.shapes.shape import Shape
 from carom.spelling import spelled
+from carom.world.world import World
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from carom.draw.parts.looks import Look
     from carom.rows.tables import Rows
-    from carom.shapes.aabb import Aabb
-    from carom.shapes.shape import Shape
-    from carom.world.world import World
 
 #: Seconds of tracks and of hits, and in how many bands tracks fade.
 SPAN, LIVE_BANDS = 1.5, 4
@@ -83,7 +84,9 @@ class Live:
         changing: Collection[Shape] = (),
         zoom: int = 1,
     ) -> None:
-        for side in size:
+        instance("world", world, World, "a World")
+        instance("box", box, Aabb, "an Aabb")
+        for side in _sides(size):
             whole("size", side, LEAST_SIDE, MOST_SIDE)
         whole("zoom", zoom, 1, MOST_ZOOM)
         if box.right <= box.left or box.top <= box.bottom:
@@ -93,7 +96,7 @@ class Live:
         self._past = Past(world, SPAN)
         self._painter = RasterPainter(self.frame, theme)
         self._own = self._painter.surface
-        self._changing = frozenset(shape.id for shape in changing)
+        self._changing = _ids_of(changing)
         self._layers = layers_of(layers)
         self._measures = Measures(1.0, 1.0, 1.0)
         self._frames = 0
@@ -221,3 +224,23 @@ def slowly(before: Measures, now: Measures) -> Measures:
         max(now.impact_speed, FADING * before.impact_speed),
         max(now.speed, FADING * before.speed),
     )
+
+
+def _sides(size: Any) -> tuple[Any, Any]:
+    """Width and height, whatever they are; raises `InvalidArgument` where there are no two."""
+    try:
+        width, height = size
+    except (TypeError, ValueError):
+        raise refuse("size", "must be width and height in pixels", size) from None
+    return width, height
+
+
+def _ids_of(shapes: Any) -> frozenset[int | None]:
+    """The ids of shapes; raises `InvalidArgument` where they are none."""
+    try:
+        given = list(shapes)
+    except TypeError:
+        given = [None]
+    if not all(isinstance(shape, (Shape, Assembly)) for shape in given):
+        raise refuse("changing", "must be shapes", shapes)
+    return frozenset(shape.id for shape in given)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import cycle
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.draw.history.trace import MOST_FOLLOWED
+from carom.checks import instance, refuse, text, whole
+from carom.draw.history.trace import MOST_FOLLOWED, Trace
 from carom.draw.history.tracks import BANDS, thinned
 from carom.draw.paint.painter import Style
 from carom.draw.paint.svg import SvgPainter
@@ -35,21 +36,20 @@ from carom.draw.parts.scenery import (
 from carom.draw.theme import BALL_INKS, ThemeName
 from carom.record.members import names_in, parts
 from carom.scene.drawings.keeping import with_scene
+from carom.scene.scene import Scene
 from carom.shapes.aabb import Aabb
 from carom.spelling import spelled
+from carom.world.world import World
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
 
-    from carom.draw.history.trace import Trace
     from carom.draw.paint.painter import Painter, Vector
     from carom.draw.parts.cells import Cell
     from carom.draw.parts.frame import Size
-    from carom.scene import Scene
     from carom.shapes.compound import Compound
     from carom.shapes.group import Group
     from carom.shapes.shape import Shape
-    from carom.world.world import World
 
 __all__ = ["STRONG", "Balls", "Picture", "box_around", "looks_of", "open_way", "picture_of", "svg", "weight_for"]
 
@@ -192,26 +192,30 @@ def picture_of(
     `name` stands over the panel. `shares` are the numbers of touches by what was touched, the largest first; the panel
     shows the first `MOST_SHARES`. What `layers` there are says `Layer`; `size` is in pixels.
     """
+    instance("world", world, World, "a World")
+    shown, shares = layers_of(layers), checked_shares(shares)
+    if trace is not None:
+        instance("trace", trace, Trace, "a Trace or None")
     balls = Balls.of(world)
     moment = Moment(world.time, balls) if trace is None else traced(world.time, balls, trace)
     shapes = parts(world.shapes)
     cells: tuple[Cell, ...] = ()
-    if Layer.CELLS in layers:
+    if Layer.CELLS in shown:
         cells = partition_of(world).cells
     still = drawn_of(shapes, [shape.id or 0 for shape in shapes])
     bounces, tracks = (trace.bounces if trace is not None else 0), moment.tracks
     picture = composed(
         Panel(
-            name,
-            caption,
+            text("name", name),
+            text("caption", caption),
             facts(world, trace),
-            tuple(shares[:MOST_SHARES]),
-            notes=remarks(layers, len(tracks), len(balls.ids), world.time - moment.since, bounces, cells),
+            shares,
+            notes=remarks(shown, len(tracks), len(balls.ids), world.time - moment.since, bounces, cells),
         ),
         still,
         moment,
         box_around([(one.shape, one.look) for one in still], balls),
-        layers=layers_of(layers),
+        layers=shown,
         size=size,
         inks=dict(zip(singled_out(balls, trace), cycle(BALL_INKS), strict=False)),
         names=names_in(world),
@@ -222,6 +226,15 @@ def picture_of(
     )
     tolerance = picture.frame.units(TRACK_TOLERANCE)
     return replace(picture, moment=replace(moment, tracks=tuple(thinned(track, tolerance) for track in tracks)))
+
+
+def checked_shares(shares: Any) -> tuple[tuple[str, int], ...]:
+    """The shares that a panel shows, pairs of words and a number; raises `InvalidArgument` for anything else."""
+    try:
+        pairs = [(text("", label), whole("", count)) for label, count in shares]
+    except (TypeError, ValueError):
+        raise refuse("shares", "must be pairs of words and a number of touches", shares) from None
+    return tuple(pairs[:MOST_SHARES])
 
 
 def traced(time: float, balls: Balls, trace: Trace) -> Moment:
@@ -313,10 +326,13 @@ def svg(picture: Picture, theme: ThemeName = ThemeName.AUTO, scene: Scene | None
 
     With the `scene` that the picture shows it is kept in the file, which `Scene.load` then reads back as that scene.
     """
+    instance("picture", picture, Picture, "a Picture")
+    if scene is not None:
+        instance("scene", scene, Scene, "a Scene or None")
     painter = SvgPainter(picture.frame, theme, title=picture.panel.name)
     picture.draw(painter)
-    text = painter.finish()
-    return text if scene is None else with_scene(text, scene.plain())
+    words = painter.finish()
+    return words if scene is None else with_scene(words, scene.plain())
 
 
 def looks_of(shapes: Iterable[Shape | Compound | Group]) -> tuple[tuple[Shape, Look], ...]:

@@ -7,6 +7,8 @@ from enum import StrEnum
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from carom.checks import one_of
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
@@ -140,6 +142,12 @@ PRINT = Theme(
         }
     ),
 )
+
+
+def theme_name(value: object) -> ThemeName:
+    """The name of a theme, given as such or as a string; raises `InvalidArgument` where it is none."""
+    return ThemeName(one_of("theme", value, tuple(name.value for name in ThemeName)))
+
 
 #: The theme of each name; where the reader's setting cannot be known, it is light.
 THEMES: Mapping[ThemeName, Theme] = MappingProxyType(

@@ -19,7 +19,7 @@ from carom.shapes.label import name_of
 from carom.spelling import spelled
 from carom.world.hits import rows_of
 from carom.world.tables import joined
-from carom.world.world import World
+from carom.world.world import MOST_STEPS, World
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -50,9 +50,7 @@ class Recorder:
     """
 
     def __init__(self, world: World, *, name: str = "", about: str = "", every: int = 1) -> None:
-        if not isinstance(world, World):
-            raise checks.refuse("world", "must be a World", world)
-        self._world = world
+        self._world = checks.instance("world", world, World, "a World")
         self._name, self._about = checks.text("name", name), checks.text("about", about)
         self._every = checks.whole("every", every, 1)
         self._steps = 0
@@ -205,9 +203,10 @@ def recorded(
 ) -> Recording:
     """A recording of a run that `world` makes now; see `Recording.of`."""
     total, length = checks.non_negative("seconds", seconds), checks.positive("dt", dt)
+    if total / length > MOST_STEPS:
+        raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={length!r}", seconds)
     steps = round(total / length)
-    if progress is not None and not callable(progress):
-        raise checks.refuse("progress", "must be callable or None", progress)
+    checks.callable_or_none("progress", progress)
     recorder = Recorder(world, name=name, about=about, every=every)
     done = 0
     while done < steps:

@@ -140,7 +140,8 @@ class Recording(Played):
         return float(self.times[-1] - self.times[0])
 
     def frame_at(self, time: float) -> int:
-        """The last frame that is not after `time`; the first one for times before it."""
+        """The last frame that is not after `time`, which is a finite number; the first one for times before it."""
+        time = checks.number("time", time)
         return max(0, int(np.searchsorted(self.times, time, side="right")) - 1)
 
     def kinetic_energy(self) -> NDArray[np.float64]:
@@ -160,6 +161,7 @@ class Recording(Played):
 
         A shape that was added later is `shape 9`.
         """
+        member_id = checks.whole("member_id", member_id, 0, 2**63 - 1)
         kind = "ball" if member_id in self.ball_ids else "shape"
         return self.names.get(member_id) or self._labels.get(member_id) or f"{kind} {member_id}"
 
@@ -174,8 +176,15 @@ class Recording(Played):
         return shapes
 
     def pose(self, shapes: list[Shape], frame: int) -> None:
-        """Make `shapes`, which `shapes_at` has made, what they were at another frame."""
+        """Make `shapes`, which `shapes_at` has made, what they were at another frame.
+
+        Raises:
+            InvalidArgument: There is no such frame, or it has other shapes.
+        """
         checks.whole("frame", frame, -len(self), len(self) - 1)
+        given = checks.instance("shapes", shapes, list, "a list of shapes")
+        if [type(shape) for shape in given] != self._kinds:
+            raise checks.refuse("shapes", "must be those that shapes_at has made", shapes)
         for shape, colliding in zip(shapes, self.colliding[frame].tolist(), strict=True):
             shape._row["can_collide"] = colliding
         for index, (x, y, orientation) in zip(self._moving_indices.tolist(), self.poses[frame].tolist(), strict=True):
@@ -187,6 +196,11 @@ class Recording(Played):
         order = np.argsort(self.shape_ids)
         indices: NDArray[np.intp] = order[np.searchsorted(self.shape_ids[order], self.moving)]
         return indices
+
+    @cached_property
+    def _kinds(self) -> list[type[Shape]]:
+        """The classes of the shapes."""
+        return [type(shape) for shape in shapes_of(self.scene)]
 
     @cached_property
     def ball_ids(self) -> frozenset[int]:

@@ -10,10 +10,10 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import one_of, refuse, whole
+from carom.checks import instance, one_of, refuse, whole
 from carom.rl import tasks
 from carom.rl.episodes import Episodes
-from carom.rl.starting import generators
+from carom.rl.starting import MOST_SEED, generators
 from carom.rl.task import Task
 from carom.spelling import spelled
 
@@ -62,6 +62,7 @@ class TaskEnv(gymnasium.Env[NDArray[Any], Any]):
         """
         copy = _copy_of(options, seed)
         if seed is not None:
+            seed = whole("seed", seed, 0, MOST_SEED)
             super().reset(seed=seed)
             (self._np_random,) = generators(seed, [copy])
         self._episodes.random = [self.np_random]
@@ -93,7 +94,7 @@ class TaskEnv(gymnasium.Env[NDArray[Any], Any]):
 
 def _copy_of(options: dict[str, Any] | None, seed: int | None) -> int:
     """The copy of a vector environment that options of a reset speak of."""
-    given = options or {}
+    given = given_options(options)
     if unknown := set(given) - {"copy"}:
         raise refuse("options", "must be 'copy' alone", sorted(map(str, unknown)))
     if "copy" in given and seed is None:
@@ -101,13 +102,17 @@ def _copy_of(options: dict[str, Any] | None, seed: int | None) -> int:
     return whole("options['copy']", given.get("copy", 0))
 
 
-def task_of(task: Task | str | os.PathLike[str]) -> Task:
+def given_options(options: Any) -> dict[str, Any]:
+    """The options of a reset as a table; None is an empty one."""
+    return {} if options is None else instance("options", options, dict, "a dictionary or None")
+
+
+def task_of(task: Any) -> Task:
     """The task that is meant: one itself, a shipped one by its name, or one in a file."""
     if isinstance(task, Task):
         return task
-    if task in tasks.__all__:
-        return tasks.by_name(task)
-    return Task.load(task) if isinstance(task, os.PathLike) or Path(str(task)).suffix else tasks.by_name(task)
+    named = isinstance(task, str) and (task in tasks.__all__ or not Path(task).suffix)
+    return Task.load(task) if isinstance(task, (str, os.PathLike)) and not named else tasks.by_name(task)
 
 
 def render_mode_of(mode: Any) -> Any:

@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from carom.worlds import Worlds
 
 
+#: The largest seed: so many a generator tells apart.
+MOST_SEED = 2**128 - 1
+
+
 def generators(seed: int | None, copies: Iterable[int]) -> list[np.random.Generator]:
     """A generator for each of some copies, spawned from one seed: the same for a copy, however many there are."""
     entropy = np.random.SeedSequence(seed).entropy

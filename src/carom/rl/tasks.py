@@ -20,7 +20,7 @@ __all__ = ["breakout", "pinball", "pool"]
 
 def by_name(name: Any) -> Task:
     """The shipped task called `name`. Raises `TaskError` if there is none."""
-    if name in __all__:
+    if isinstance(name, str) and name in __all__:
         task: Task = globals()[name]()
         return task
     near = get_close_matches(str(name), __all__, n=1)

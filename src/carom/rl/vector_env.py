@@ -13,9 +13,9 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from carom.checks import refuse, whole
-from carom.rl.env import RENDER_MODES, render_mode_of, task_of
+from carom.rl.env import RENDER_MODES, given_options, render_mode_of, task_of
 from carom.rl.episodes import Episodes
-from carom.rl.starting import generators
+from carom.rl.starting import MOST_SEED, generators
 from carom.rl.task import Task
 from carom.spelling import spelled
 
@@ -85,7 +85,7 @@ class TaskVectorEnv(VectorEnv[NDArray[Any], Any, NDArray[Any]]):
 
     def _asked(self, options: dict[str, Any] | None) -> NDArray[np.int64]:
         """The copies that are to begin anew."""
-        given = options or {}
+        given = given_options(options)
         if unknown := set(given) - {"reset_mask"}:
             raise refuse("options", "must be 'reset_mask' alone", sorted(map(str, unknown)))
         mask = np.asarray(given.get("reset_mask", np.ones(self.num_envs, bool)))
@@ -93,19 +93,22 @@ class TaskVectorEnv(VectorEnv[NDArray[Any], Any, NDArray[Any]]):
             raise refuse("options['reset_mask']", f"must be {self.num_envs} booleans, not all of them False", mask)
         return np.flatnonzero(mask)
 
-    def _seed(self, seed: int | Sequence[int | None], which: NDArray[np.int64]) -> None:
+    def _seed(self, seed: Any, which: NDArray[np.int64]) -> None:
         """Give the copies that begin anew generators of their own."""
         random = self._episodes.random
-        if isinstance(seed, (int, np.integer)):
-            super().reset(seed=int(seed))
-            for copy, spawned in zip(which, generators(int(seed), which.tolist()), strict=True):
+        if np.ndim(seed) == 0:
+            one = whole("seed", seed, 0, MOST_SEED)
+            super().reset(seed=one)
+            for copy, spawned in zip(which, generators(one, which.tolist()), strict=True):
                 random[copy] = spawned
             return
         if len(seed) != self.num_envs:
             raise refuse("seed", f"must be one, or {self.num_envs}", seed)
-        for copy in which:
-            if seed[copy] is not None:
-                (random[copy],) = generators(seed[copy], [0])
+        seeds = [None if one is None else whole("seed", one, 0, MOST_SEED) for one in seed]
+        for copy in which.tolist():
+            own = seeds[copy]
+            if own is not None:
+                (random[copy],) = generators(own, [0])
 
     def step(self, actions: Any) -> Step:
         """Observations, rewards, whether each copy is terminated, whether it is cut off, and infos.

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel, ConfigDict
+
+from carom.errors import UnknownName
 
 #: What stands first in a table, in this order.
 _FIRST = ("version", "kind", "name")
@@ -21,6 +23,21 @@ class Descriptor(BaseModel):
     model_config = ConfigDict(
         strict=True, frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True
     )
+
+    if not TYPE_CHECKING:  # type checkers know that it is frozen
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            self._refuse_change(name)
+            super().__setattr__(name, value)
+
+        def __delattr__(self, name: str) -> None:
+            self._refuse_change(name)
+            super().__delattr__(name)
+
+    def _refuse_change(self, name: str) -> None:
+        """Raise `UnknownName` for an attribute that is not a subclass's own business."""
+        if not name.startswith("_"):
+            raise UnknownName(f"{name} cannot be set: a {type(self).__name__} cannot be changed")
 
     def plain(self) -> dict[str, Any]:
         """The descriptor as a file holds it: plain tables, without what is as it would be anyway.

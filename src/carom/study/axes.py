@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from carom.checks import instance
 from carom.extras import needed
 
 if TYPE_CHECKING:
@@ -15,8 +16,12 @@ FIRST, SECOND, OUTLINE = "#1f8aa8", "#d9480f", "#8a9099"
 MANY = (FIRST, SECOND, "#7a9a01", "#b0568f", "#c28a00", "#6f7bd0", "#2f9e6e", "#a9744f")
 
 
-def new_axes() -> Axes:
-    """The axes of a new figure."""
+def axes_of(axes: Any) -> Axes:
+    """The axes that are given, or those of a new figure for None; raises `InvalidArgument` for anything else."""
+    if axes is not None:
+        kind = needed("matplotlib.axes", "matplotlib", "study", "plots").Axes
+        given: Axes = instance("axes", axes, kind, "axes of matplotlib or None")
+        return given
     pyplot = needed("matplotlib.pyplot", "matplotlib", "study", "plots")
     _, axes = pyplot.subplots(figsize=(7.0, 4.2), layout="constrained")
     made: Axes = axes

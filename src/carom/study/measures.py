@@ -12,19 +12,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.checks import instance
 from carom.record.members import BALLS, parts
 from carom.shapes.label import label_of
 from carom.spelling import hint
-from carom.world.hits import HitKind
+from carom.world.hits import HitKind, rows_of
+from carom.world.world import World
 
 if TYPE_CHECKING:
-    from carom.world import Hits, World
+    from carom.world import Hits
 
 __all__ = ["energy", "hits_by_kind", "hits_by_shape", "impact_speeds", "last_state", "statistics"]
 
 
 def hits_by_shape(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, int]:  # noqa: ARG001
     """How often each shape bounced a ball or was entered, by name; shapes of one name, and balls, count together."""
+    _check(world, hits)
     labels = {shape.id or 0: label_of(shape) for shape in parts(world.shapes)}
     counts: Counter[str] = Counter(dict.fromkeys(labels.values(), 0))
     told = np.asarray(hits["shape"])[np.asarray(hits["kind"]) != HitKind.EXIT]
@@ -35,12 +38,14 @@ def hits_by_shape(world: World, hits: Hits, parameters: Mapping[str, Any]) -> di
 
 def hits_by_kind(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, int]:  # noqa: ARG001
     """How many bounces there were, how many sensors were entered, and how many left."""
+    _check(world, hits)
     kinds = np.asarray(hits["kind"])
     return {f"{kind.name.lower()}s": int(np.count_nonzero(kinds == kind)) for kind in HitKind}
 
 
 def impact_speeds(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, float]:  # noqa: ARG001
     """The number of bounces, and their mean and greatest speed and impulse; 0 where there were none."""
+    _check(world, hits)
     bounces = np.asarray(hits)[np.asarray(hits["kind"]) == HitKind.BOUNCE]
     found: dict[str, float] = {"bounces": len(bounces)}
     for name in ("speed", "impulse"):
@@ -51,6 +56,7 @@ def impact_speeds(world: World, hits: Hits, parameters: Mapping[str, Any]) -> di
 
 def energy(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, float]:  # noqa: ARG001
     """The balls' kinetic energy at the end, and the sum with that of their height in the world's gravity."""
+    _check(world, hits)
     velocity, position, mass = world.balls.velocity, world.balls.position, world.balls.mass
     kinetic = float(0.5 * np.sum(mass * np.sum(velocity * velocity, axis=1)))
     x, y = world.gravity
@@ -62,6 +68,7 @@ def energy(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str,
 
 def last_state(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, Any]:  # noqa: ARG001
     """The time at the end, how many balls are left, and the places and velocities of these, as lists."""
+    _check(world, hits)
     x, y = world.balls.position.T.copy()
     vx, vy = world.balls.velocity.T.copy()
     return {"time": world.time, "balls": len(world.balls), "x": x, "y": y, "vx": vx, "vy": vy}
@@ -69,7 +76,13 @@ def last_state(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[
 
 def statistics(world: World, hits: Hits, parameters: Mapping[str, Any]) -> dict[str, int]:  # noqa: ARG001
     """The world's counters, as `World.statistics` has them."""
+    _check(world, hits)
     return dict(world.statistics.as_dict())
+
+
+def _check(world: Any, hits: Any) -> None:
+    """Raise `InvalidArgument` for what are no world and no hits of it."""
+    rows_of(instance("world", world, World, "a World"), hits)
 
 
 def by_name(name: str) -> str:

@@ -12,21 +12,20 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import non_negative, one_of, refuse, whole
+from carom.checks import instance, non_negative, one_of, refuse, whole
 from carom.draw.paint.painter import Style
 from carom.draw.parts.outlines import line_mark
 from carom.extras import needed
 from carom.record.members import hits_by_label, touches_by_label
+from carom.record.recording import Recording
 from carom.spelling import spelled
-from carom.study.axes import FIRST, OUTLINE, SECOND, named, new_axes
+from carom.study.axes import FIRST, OUTLINE, SECOND, axes_of, named
 from carom.study.portraits import boundary_map, correlation, mean_free_path, section, spectrum, survival
 from carom.typing import Vector
 from carom.world.hits import HitKind
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from carom.record import Recording
 
 __all__ = [
     "boundary_map",
@@ -65,7 +64,8 @@ def energy(recording: Recording, axes: Axes | None = None) -> Axes:
     >>> axes.get_xlabel()
     'time in s'
     """
-    axes = axes or new_axes()
+    instance("recording", recording, Recording, "a Recording")
+    axes = axes_of(axes)
     kinetic, total = recording.kinetic_energy(), recording.energy()
     if np.array_equal(kinetic, total):
         axes.plot(recording.times, kinetic, color=FIRST)
@@ -86,9 +86,10 @@ def hits_by_shape(
     `rows` is how many bars there are at most; the last one then stands for all others. With `count="hits"` every hit
     counts, also those of a ball that rolls along a shape or comes to rest on it, which are one touch.
     """
+    instance("recording", recording, Recording, "a Recording")
     rows = whole("rows", rows, 2)
     by_label = touches_by_label if one_of("count", count, COUNTED) == "touches" else hits_by_label
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     bounces = recording.hits[recording.hits["kind"] == HitKind.BOUNCE]
     bars = by_label(recording, bounces)
     if len(bars) > rows:
@@ -109,8 +110,9 @@ def heat_map(recording: Recording, axes: Axes | None = None, *, cells: int = 80)
     Colours go by the root of the share, so that what is rarely visited can be told from what never is. `cells` is how
     many there are along the longer side.
     """
+    instance("recording", recording, Recording, "a Recording")
     cells = whole("cells", cells, 1, MOST_CELLS)
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     places = recording.positions.reshape(-1, 2)
     places = places[np.isfinite(places).all(axis=1)]
     left, bottom, right, top = _extent(recording, places)
@@ -136,11 +138,12 @@ def speeds(recording: Recording, axes: Axes | None = None, *, since: float = 0.0
     Beside it, what Maxwell's law says of balls of these masses and this energy in equilibrium: in the plane, a ball of
     mass m has the speed v with the density m·v/T·exp(-m·v²/2T), T being its mean kinetic energy.
     """
+    instance("recording", recording, Recording, "a Recording")
     since, bins = non_negative("since", since), whole("bins", bins, 1, MOST_CELLS)
     frames = recording.times - recording.times[0] >= since
     if not frames.any():
         raise refuse("since", f"must not be past the end, {recording.duration!r} s", since)
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     squared = np.sum(recording.velocities[frames] ** 2, axis=-1)
     there = np.isfinite(squared)
     masses = np.broadcast_to(recording.masses, squared.shape)[there]

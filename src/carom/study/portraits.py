@@ -13,7 +13,7 @@ import numpy as np
 
 from carom.checks import refuse
 from carom.spelling import spelled
-from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, named, new_axes
+from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, axes_of, named
 from carom.study.billiards.escapes import Correlation, Escape
 from carom.study.billiards.maps import BoundaryMap, MeanFreePath
 from carom.study.billiards.sections import Section
@@ -40,7 +40,7 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
     Lines divide the outer wall and the islands.
     """
     _check(found, BoundaryMap, "boundary_map")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     orbits, hits = found.sine.shape
     _dots(axes, found.arc_length.ravel(), found.sine.ravel(), np.repeat(np.arange(orbits), hits))
     for end in np.cumsum([loop.length for loop in found.table.loops[:-1]]):
@@ -54,7 +54,7 @@ def boundary_map(found: BoundaryMap, axes: Axes | None = None) -> Axes:
 def section(found: Section, axes: Axes | None = None) -> Axes:
     """The phase portrait of a `study.section`: each crossing by its distance and velocity along the line, by orbit."""
     _check(found, Section, "section")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     _dots(axes, found.distance, found.along, found.orbit)
     (ax, ay), (bx, by) = found.cut
     axes.set_xlim(0.0, hypot(bx - ax, by - ay))
@@ -65,7 +65,7 @@ def section(found: Section, axes: Axes | None = None) -> Axes:
 def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
     """The plot of how long the flights of a `study.mean_free_path` are, with their mean and π·area/perimeter."""
     _check(found, MeanFreePath, "mean_free_path")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     axes.hist(found.paths, bins=BARS, density=True, color=FIRST, alpha=0.75, label="flights")
     label = f"mean {found.value:.4g} ± {found.error:.1g}"
     axes.axvline(found.value, color=SECOND, label=label)
@@ -79,7 +79,7 @@ def mean_free_path(found: MeanFreePath, axes: Axes | None = None) -> Axes:
 def survival(found: Escape, axes: Axes | None = None) -> Axes:
     """The plot of how many orbits of a `study.escape` are still there, with the rate that was found and its line."""
     _check(found, Escape, "escape")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     there = found.survival > 0.0
     time, share, error = found.time[there], found.survival[there], BAND * found.error[there]
     axes.fill_between(time, np.maximum(share - error, 0.5 / len(found.times)), share + error, color=FIRST, alpha=0.25)
@@ -100,7 +100,7 @@ def survival(found: Escape, axes: Axes | None = None) -> Axes:
 def correlation(found: Correlation, axes: Axes | None = None) -> Axes:
     """The plot of a `study.correlation` over time, with a band of two standard errors to either side."""
     _check(found, Correlation, "correlation")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     error = BAND * found.error
     axes.axhline(0.0, color=OUTLINE, linewidth=1.0)
     axes.fill_between(found.time, found.value - error, found.value + error, color=FIRST, alpha=0.25)
@@ -116,7 +116,7 @@ def spectrum(found: Lyapunov, axes: Axes | None = None) -> Axes:
     Order is a peak beside 0, chaos a hill where its exponent is.
     """
     _check(found, Lyapunov, "lyapunov")
-    axes = axes or new_axes()
+    axes = axes_of(axes)
     density, edges = np.histogram(found.exponents, bins=BARS, density=True)
     axes.stairs(density, edges, fill=True, color=FIRST, alpha=0.75, label="orbits")
     value, error = float(found.spectrum[0]), float(found.error[0])

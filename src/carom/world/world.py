@@ -210,8 +210,7 @@ class World(Settings, Members, Queries, Pictured, Spelled):
         """
         total = checks.non_negative("seconds", seconds)
         length = checks.positive("dt", dt)
-        if progress is not None and not callable(progress):
-            raise checks.refuse("progress", "must be callable or None", progress)
+        checks.callable_or_none("progress", progress)
         if total / length > MOST_STEPS:
             raise checks.refuse("seconds", f"must be less than {MOST_STEPS} steps of dt={dt!r}", seconds)
         kept = keeper(self, keep)

@@ -254,3 +254,12 @@ def test_a_zoomed_picture_shows_the_same_in_finer_pixels() -> None:
 def test_a_zoom_that_there_is_not_is_refused(zoom: Any) -> None:
     with pytest.raises(carom.InvalidArgument, match="zoom"):
         draw.Live(room(), BOX, SIZE, zoom=zoom)
+
+
+def test_compounds_and_groups_may_be_said_to_change() -> None:
+    world = carom.World()
+    brick = world.add(carom.Group(carom.outlines.rectangle(0.0, 0.0, 1.0, 1.0), name="brick"))
+    mill = world.add(carom.Compound([carom.Segment((0, 5), (1, 5))], pivot=(0, 5)))
+    draw.Live(world, BOX, SIZE, changing=[brick, mill])
+    with pytest.raises(carom.InvalidArgument, match="changing must be shapes"):
+        draw.Live(world, BOX, SIZE, changing=[carom.Ball((0, 0), 1)])  # type: ignore[list-item]

@@ -40,3 +40,14 @@ def test_descriptors_in_a_descriptor_are_tables_in_a_list() -> None:
 def test_what_is_written_is_plain_and_read_as_the_same(name: str) -> None:
     scene = small_scene(name)
     assert carom.Scene(**json.loads(json.dumps(scene.plain()))) == scene
+
+
+def test_a_scene_and_its_parts_are_not_changed() -> None:
+    scene = carom.scenes.toy()
+    for part, name in ((scene, "name"), (scene, "wrld"), (scene.world, "gravity"), (scene.shapes[0], "elasticity")):
+        before = part.model_dump()
+        with pytest.raises(carom.UnknownName, match=f"{name} cannot be set: a {type(part).__name__} cannot be changed"):
+            setattr(part, name, 1.0)
+        with pytest.raises(carom.UnknownName, match=f"{name} cannot be set"):
+            delattr(part, name)
+        assert part.model_dump() == before

@@ -4,19 +4,25 @@ from itertools import combinations
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import pytest
 from matplotlib.colors import to_rgb
 
-from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, named, new_axes
+import carom
+from carom.study.axes import FIRST, MANY, OUTLINE, SECOND, axes_of, named
 
 mpl.use("Agg")
 
 
 def test_new_axes_are_alone_in_a_new_figure() -> None:
-    axes, other = new_axes(), new_axes()
+    axes, other = axes_of(None), axes_of(None)
     assert axes.figure.axes == [axes]
     assert axes.figure is not other.figure
     assert named(axes, "title", "across", "up") is axes
     assert (axes.get_title(), axes.get_xlabel(), axes.get_ylabel()) == ("title", "across", "up")
+    assert axes_of(axes) is axes
+    for bad in (5, axes.figure, [axes]):
+        with pytest.raises(carom.InvalidArgument, match="axes must be axes of matplotlib or None"):
+            axes_of(bad)
     plt.close("all")
 
 

@@ -45,7 +45,7 @@ def test_impact_speeds_are_those_of_bounces(run: tuple[carom.World, carom.Hits])
     assert found["bounces"] == len(speeds)
     assert found["mean speed"] == pytest.approx(sum(speeds) / len(speeds), rel=1e-14)
     assert found["greatest speed"] == max(speeds)
-    assert measures.impact_speeds(world, carom.World().step(0.1), {})["mean speed"] == 0.0
+    assert measures.impact_speeds(world, hits[:0], {})["mean speed"] == 0.0
 
 
 def test_energy_is_that_of_the_balls(run: tuple[carom.World, carom.Hits]) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from carom.checks import instance
 from carom.draw.history.trace import MOST_HITS, followed
 from carom.draw.history.tracks import Track, centers_at, thinned
 from carom.draw.parts.cells import cells_of
@@ -17,8 +18,9 @@ from carom.draw.parts.looks import LOOKS, look_now, material_of
 from carom.draw.parts.moment import Balls, Drawn, Measures, Moment, bounces_of, latest_of, strongest
 from carom.draw.parts.outlines import ends_of
 from carom.draw.parts.panel import Panel
-from carom.draw.picture import MOST_SHARES, TRACK_TOLERANCE, box_around, composed
+from carom.draw.picture import TRACK_TOLERANCE, box_around, checked_shares, composed
 from carom.draw.theme import BALL_INKS
+from carom.record.recording import Recording
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
@@ -27,7 +29,6 @@ if TYPE_CHECKING:
     from carom.draw.parts.cells import Cell
     from carom.draw.parts.frame import Size
     from carom.draw.picture import Picture
-    from carom.record import Recording
     from carom.rows.tables import Rows
 
 #: Seconds of tracks and of hits in the picture of a frame that stands alone.
@@ -38,7 +39,7 @@ class Footage:
     """A recording, made ready to be drawn frame by frame."""
 
     def __init__(self, recording: Recording) -> None:
-        self.recording = recording
+        self.recording = instance("recording", recording, Recording, "a Recording")
         self.bounces = bounces_of(recording.hits)
         self.measures = Measures.of(self.bounces, recording.velocities)
         self._shapes = recording.shapes_at(0)
@@ -135,18 +136,18 @@ class Footage:
         size: Size = None,
     ) -> Picture:
         """The picture of a frame."""
-        recording, moment = self.recording, self.moment(frame, span)
+        shown, recording, moment = layers_of(layers), self.recording, self.moment(frame, span)
         cells: tuple[Cell, ...] = ()
-        if Layer.CELLS in layers:
+        if Layer.CELLS in shown:
             cells = cells_of(recording.scene, float(recording.radii.max(initial=0.0)))
         seen, bounces = moment.time - moment.since, len(self._between(moment.since, moment.time))
-        notes = remarks(layers, len(self.tracks), len(recording.ids), seen, bounces, cells)
+        notes = remarks(shown, len(self.tracks), len(recording.ids), seen, bounces, cells)
         picture = composed(
-            Panel(recording.name, recording.about, self.facts(frame), tuple(shares[:MOST_SHARES]), notes=notes),
+            Panel(recording.name, recording.about, self.facts(frame), checked_shares(shares), notes=notes),
             self.still,
             moment,
             self.box,
-            layers=layers_of(layers),
+            layers=shown,
             size=size,
             inks=self.inks,
             names=dict(recording.names),

@@ -12,14 +12,13 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from carom import checks
+from carom.draw.film.film import Film
 from carom.errors import CaromError, MissingExtra
 from carom.extras import needed
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
-
-    from carom.draw.film.film import Film
 
 #: Frames a second. A GIF's frames last whole hundredths of a second, and 20 a second are every third step of 1/60 s.
 RATES = {".gif": 20, ".mp4": 60}
@@ -79,7 +78,8 @@ def write_film(
     ending = target.suffix.lower()
     if ending not in RATES:
         raise checks.refuse("path", f"must end in {' or '.join(RATES)}", str(target))
-    films = list(film) if isinstance(film, Sequence) else [film]
+    films = [checks.instance("film", one, Film, "a Film, or several") for one in films_of(film)]
+    checks.callable_or_none("tell", tell)
     sizes = [one.pixels for one in films]
     if len(set(sizes)) != 1:
         raise checks.refuse("film", "must be one or several of the same size", sizes)
@@ -99,6 +99,11 @@ def write_film(
         samples = frames[:: max(1, -(-len(frames) // MOST_SAMPLES))]
         encode(sizes[0], 1, (one.rgb(frame) for one, frame in samples), PALETTE, palette)
         encode(sizes[0], RATES[ending], pictures(), {"-i": f"file:{palette}"} | GIF, target)
+
+
+def films_of(film: Any) -> list[Any]:
+    """The films that are given: one, or several in a sequence."""
+    return list(film) if isinstance(film, Sequence) and not isinstance(film, (str, bytes)) else [film]
 
 
 def frames_of(film: Film, rate: int) -> list[int]:

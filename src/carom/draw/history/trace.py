@@ -8,20 +8,19 @@ in words what it leaves out.
 from __future__ import annotations
 
 from collections import deque
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import instance
 from carom.draw.history.tracks import Track, Ways
 from carom.draw.parts.moment import MOST_LATEST, bounces_of, latest_of, strongest
 from carom.rows.hit import HIT
 from carom.rows.tables import Rows
 from carom.spelling import spelled
 from carom.world.hits import rows_of
-
-if TYPE_CHECKING:
-    from carom.world.world import World
+from carom.world.world import World
 
 Ids: TypeAlias = NDArray[np.int64]
 
@@ -54,6 +53,7 @@ class Trace:
     """
 
     def __init__(self, world: World) -> None:
+        instance("world", world, World, "a World")
         self.bounces = 0  # how many there were, kept or not
         self._world = world
         self._all = world.balls.id.copy()

@@ -10,9 +10,11 @@ from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
+from carom.checks import instance
 from carom.draw.page.run import FIRST_LAYERS, page_run
 from carom.draw.paint.svg import printable
 from carom.draw.theme import ThemeName
+from carom.record.recording import Recording
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
@@ -20,7 +22,6 @@ if TYPE_CHECKING:
 
     from carom.draw.page.packing import Plain
     from carom.draw.parts.layers import Layer
-    from carom.record import Recording
 
 #: The page's program, in the order in which its parts need each other.
 SCRIPTS = (
@@ -50,6 +51,7 @@ def replay_page(
 
     It holds all it needs, and may load nothing else.
     """
+    instance("recording", recording, Recording, "a Recording")
     script = "\n".join(part(f"{name}.js") for name in SCRIPTS)
     return filled_in(
         part("template.html"),

@@ -25,7 +25,7 @@ from carom.draw.parts.frame import STAGE_SIZE, Frame, longer_side, widened
 from carom.draw.parts.layers import DEFAULT_LAYERS, Layer, layers_of
 from carom.draw.parts.moment import Balls, Measures, bounces_of
 from carom.draw.picture import box_around, weight_for
-from carom.draw.theme import BALL_INKS, DARK, LIGHT, PRINT, ThemeName
+from carom.draw.theme import BALL_INKS, DARK, LIGHT, PRINT, ThemeName, theme_name
 from carom.record.members import touches_by_label
 from carom.shapes.aabb import Aabb
 from carom.world.hits import HitKind
@@ -75,7 +75,7 @@ def page_run(recording: Recording, theme: ThemeName, layers: Collection[Layer]) 
     return {
         "name": recording.name,
         "about": recording.about,
-        "theme": theme.value,
+        "theme": theme_name(theme).value,
         "themes": {named.name: dict(named.inks) for named in (LIGHT, DARK, PRINT)},
         "layers": [{"name": layer, "on": layer in first} for layer in SWITCHES],
         "size": STAGE_SIZE,

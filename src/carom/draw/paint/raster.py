@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.checks import instance
 from carom.draw.paint.letters import Letters
 from carom.draw.paint.painter import Style, sides
 from carom.draw.paint.patches import (
@@ -23,7 +24,7 @@ from carom.draw.paint.patches import (
     polygon_patches,
     polyline_patches,
 )
-from carom.draw.theme import THEMES, ThemeName
+from carom.draw.theme import THEMES, ThemeName, theme_name
 from carom.extras import needed
 from carom.spelling import spelled
 
@@ -53,7 +54,9 @@ GROUND = "stage"
 @spelled
 def png(picture: Picture, theme: ThemeName = ThemeName.LIGHT) -> bytes:
     """The bytes of a PNG file that shows `picture`; raises `MissingExtra` without pygame."""
-    painter = RasterPainter(picture.frame, theme)
+    from carom.draw.picture import Picture  # here, for pictures lie above painters
+
+    painter = RasterPainter(instance("picture", picture, Picture, "a Picture").frame, theme)
     picture.draw(painter)
     return painter.png()
 
@@ -77,7 +80,7 @@ class RasterPainter:
         self.surface = self._pygame.Surface(frame.pixels)
         self._inks: dict[str, Colour] = {
             ink: (int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16))
-            for ink, colour in THEMES[theme].inks.items()
+            for ink, colour in THEMES[theme_name(theme)].inks.items()
         }
         self._kept: dict[Hashable, list[Patch]] = {}
         self._letters = Letters()

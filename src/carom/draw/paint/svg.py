@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
 from carom.draw.paint.painter import sides
-from carom.draw.theme import DARK, LIGHT, THEMES, Theme, ThemeName
+from carom.draw.theme import DARK, LIGHT, THEMES, Theme, ThemeName, theme_name
 from carom.spelling import spelled
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class SvgPainter:
 
     def __init__(self, frame: Frame, theme: ThemeName = ThemeName.AUTO, title: str = "") -> None:
         self._frame = frame
-        self._theme = theme
+        self._theme = theme_name(theme)
         self._title = title
         self._parts: list[str] = []
         self._style: str | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from carom.checks import instance
 from carom.draw.paint.painter import Style
 from carom.draw.parts.marks import box_mark
 from carom.rows.index import NO_CHILD
@@ -13,6 +14,7 @@ from carom.scene.capture import described_world
 from carom.scene.scene import Scene
 from carom.shapes.aabb import Aabb
 from carom.world.kernels.broad_phase.shape_index import FIXED, build_index
+from carom.world.world import World
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,7 +22,6 @@ if TYPE_CHECKING:
     from carom.draw.paint.painter import Painter
     from carom.rows.index import CellRow, IndexRow
     from carom.rows.tables import Table
-    from carom.world.world import World
 
 #: The edge of a cell, and the opacities of the least and of the fullest cells' areas.
 EDGE = Style("cell", width=0.8, opacity=0.45)
@@ -52,6 +53,7 @@ class Partition:
 
 def partition_of(world: World) -> Partition:
     """How the broad phase of `world`, as it is set now, divides the room, for balls as large as the largest."""
+    instance("world", world, World, "a World")
     scene = Scene(world=described_world(world), shapes=list(world.shapes))
     return partition(scene, float(world._arrays.balls.used["radius"].max(initial=0.0)))
 

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import Any
 
 from carom.checks import refuse
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 
 class Layer(StrEnum):
@@ -48,10 +45,14 @@ class Layer(StrEnum):
 DEFAULT_LAYERS = frozenset({Layer.SHAPES, Layer.SENSORS, Layer.BALLS, Layer.TRACKS, Layer.HITS})
 
 
-def layers_of(names: Iterable[str]) -> frozenset[Layer]:
-    """The layers with some names; raises `InvalidArgument` for a name that none has."""
-    given, known = list(names), {layer.value: layer for layer in Layer}
+def layers_of(names: Any) -> frozenset[Layer]:
+    """The layers with some names; raises `InvalidArgument` for a name that none has, and for what are no names."""
+    known = {layer.value: layer for layer in Layer}
+    try:
+        given = list(names)
+    except TypeError:
+        raise refuse("layers", f"must be a collection of {', '.join(known)}", names) from None
     for name in given:
-        if name not in known:
+        if not isinstance(name, str) or name not in known:
             raise refuse("layers", f"must be among {', '.join(known)}", name)
     return frozenset(known[name] for name in given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from difflib import get_close_matches
+from typing import Any
 
 from carom.errors import SceneError
 from carom.scene.scene import Scene
@@ -55,9 +56,9 @@ def names() -> tuple[str, ...]:
     return tuple(__all__)
 
 
-def by_name(name: str) -> Scene:
+def by_name(name: Any) -> Scene:
     """The shipped scene called `name`, as it is without arguments. Raises `SceneError` if there is none."""
-    if name in __all__:
+    if isinstance(name, str) and name in __all__:
         scene: Scene = globals()[name]()
         return scene
     near = get_close_matches(str(name), __all__, n=1)
