@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
@@ -16,7 +16,7 @@ from carom.rows.shape import KINEMATIC
 from carom.scene import Scene, scenes
 from carom.scene.descriptor import Descriptor
 from carom.scene.faults import Faults, fault_below
-from carom.scene.fields import Positive, Text, as_tuple
+from carom.scene.fields import Positive, Text, Version, as_tuple
 from carom.scene.files import Plain, read_plain, write_plain
 from carom.shapes.compound import Compound
 from carom.world.world import World
@@ -48,7 +48,7 @@ class Task(Descriptor):
     which lists every fault with its path.
     """
 
-    version: Literal[1]
+    version: Version
     """The version of the file's form: 1."""
     name: Text | None = None
     """What the task is called."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from pydantic import BaseModel, ConfigDict
+import numpy as np
+from pydantic import BaseModel, ConfigDict, model_validator
 
 from carom.errors import UnknownName
 
@@ -17,12 +18,25 @@ _FIRST = ("version", "kind", "name")
 _WRITTEN = object()
 
 
+def in_python(value: Any) -> Any:
+    """A number or boolean of NumPy as one of Python; anything else as it is."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
 class Descriptor(BaseModel):
     """A part of a scene: strict (no text for a number), frozen, and without room for what it does not know."""
 
     model_config = ConfigDict(
         strict=True, frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _in_python(cls, given: Any) -> Any:
+        """The fields with numbers and booleans of NumPy as those of Python: strict fields take no others."""
+        if type(given) is dict and any(isinstance(value, np.generic) for value in given.values()):
+            return {name: in_python(value) for name, value in given.items()}
+        return given
 
     if not TYPE_CHECKING:  # type checkers know that it is frozen
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
 from carom.limits import MOST_IMPACTS, MOST_ITERATIONS, MOST_LEVELS, MOST_SUBSTEPS
 from carom.rows.ball import ALL_LAYERS
+from carom.scene.descriptor import in_python
 from carom.scene.faults import shortened
 from carom.shapes.aabb import Aabb
 
@@ -17,7 +19,7 @@ def _sequence(value: Any, count: int, what: str) -> tuple[Any, ...]:
     """`value` as a tuple of `count` items, whatever they are; refused as not being `what`."""
     if not isinstance(value, (str, bytes, dict, set, frozenset)):
         try:
-            items = tuple(value)
+            items = tuple(map(in_python, value))
         except TypeError:
             items = ()
         if len(items) == count:
@@ -56,10 +58,20 @@ def _writable(text: str) -> str:
 
 
 def as_tuple(value: Any) -> Any:
-    """A list as a tuple; anything else as it is, for the field to judge."""
-    return tuple(value) if isinstance(value, list) else value
+    """A list or an array as a tuple; anything else as it is, for the field to judge."""
+    if isinstance(value, np.ndarray) and value.ndim == 1:
+        return tuple(value.tolist())
+    return tuple(map(in_python, value)) if isinstance(value, list) else value
 
 
+def _whole(value: Any) -> Any:
+    """`value`, unless it only equals a whole number, as `True` and `1.0` do."""
+    if type(value) is not int and isinstance(value, (int, float)):
+        raise PydanticCustomError("version", "must be the whole number 1, not {value}", {"value": shortened(value)})
+    return value
+
+
+Version = Annotated[Literal[1], BeforeValidator(_whole)]
 Positive = Annotated[float, Field(gt=0.0)]
 NonNegative = Annotated[float, Field(ge=0.0)]
 Text = Annotated[str, AfterValidator(_writable)]

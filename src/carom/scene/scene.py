@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import BaseModel, ValidationError
 
@@ -19,7 +19,7 @@ from carom.scene.descriptor import Descriptor
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings.reading import ENDINGS, is_drawing, read_drawing
 from carom.scene.faults import Faults, field_of, is_elsewhere, is_unknown
-from carom.scene.fields import Text
+from carom.scene.fields import Text, Version
 from carom.scene.files import Plain, path_of, read_plain, write_plain
 from carom.scene.guarding import guarded
 from carom.scene.lists import LISTS, BallList, ShapeList, checked_list, crowd
@@ -39,7 +39,7 @@ class Scene(Descriptor, Pictured):
     A scene cannot be changed. A mistake raises `SceneError`, which lists every fault with its path.
     """
 
-    version: Literal[1]
+    version: Version
     """The version of the file's form: 1."""
     name: Text | None = None
     """What the scene is called."""

@@ -3,10 +3,11 @@
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import carom
-from carom.rl import Observation, Task, Turn, tasks
+from carom.rl import Observation, Task, Travel, Turn, tasks
 from tests.rl_tasks import drop_task, shot_task, yard, yard_task
 
 TURN = {"kind": "turn", "shape": "flipper", "speeds": [-1.0, 1.0]}
@@ -130,3 +131,13 @@ def test_a_task_cannot_be_changed() -> None:
     with pytest.raises(carom.UnknownName, match="cannot be changed"):
         task.observation.speed = 1.0
     assert task.observation == Observation(travelling="paddle")
+
+
+def test_numbers_of_numpy_are_taken_as_those_of_python() -> None:
+    task = Task(
+        scene=carom.scenes.breakout(), actuators=[Travel(shape="paddle", speeds=np.array([1, 2]))], steps=np.int64(2)
+    )
+    assert repr((task.steps, task.actuators[0].speeds)) == "(2, (1.0, 2.0))"
+    assert repr(Observation(pixels=np.array([64, 128])).pixels) == "(64, 128)"
+    with pytest.raises(carom.TaskError, match="version: must be the whole number 1, not True"):
+        Task(version=True, scene=carom.scenes.breakout(), actuators=task.actuators)

@@ -1,7 +1,9 @@
 """What a descriptor writes: nothing that would be so anyway, what is its own before what it shares, all of it plain."""
 
 import json
+from typing import Any
 
+import numpy as np
 import pytest
 
 import carom
@@ -51,3 +53,56 @@ def test_a_scene_and_its_parts_are_not_changed() -> None:
         with pytest.raises(carom.UnknownName, match=f"{name} cannot be set"):
             delattr(part, name)
         assert part.model_dump() == before
+
+
+WHOLE = (np.int64, np.uint8, np.int32)
+
+
+@pytest.mark.parametrize("whole", WHOLE)
+def test_numbers_and_booleans_of_numpy_are_taken_as_those_of_python(whole: Any) -> None:
+    yes, no = np.True_, np.False_
+    given = carom.Scene(
+        version=whole(1),
+        guard=yes,
+        world={"substeps": whole(3), "gravity": np.array([0, 1]), "remove_strays": yes, "friction": np.float32(0.5)},
+        shapes=[
+            {"kind": "circle", "center": (whole(1), 2.0), "radius": whole(2), "layer": whole(2), "sensor": yes},
+            {
+                "kind": "compound",
+                "pivot": (0, 0),
+                "collides_with": whole(7),
+                "shapes": [{"kind": "point", "position": np.array([1, 2]), "can_collide": no}],
+            },
+        ],
+        balls=[{"position": (0, 0), "radius": np.float64(0.5), "layer": whole(4), "sensor": yes}],
+    )
+    plain = carom.Scene(
+        guard=True,
+        world={"substeps": 3, "gravity": (0, 1), "remove_strays": True, "friction": 0.5},
+        shapes=[
+            {"kind": "circle", "center": (1, 2), "radius": 2, "layer": 2, "sensor": True},
+            {
+                "kind": "compound",
+                "pivot": (0, 0),
+                "collides_with": 7,
+                "shapes": [{"kind": "point", "position": (1, 2), "can_collide": False}],
+            },
+        ],
+        balls=[{"position": (0, 0), "radius": 0.5, "layer": 4, "sensor": True}],
+    )
+    assert given == plain
+    assert repr(given) == repr(plain)  # that of NumPy's numbers would be another
+    assert json.dumps(given.plain()) == json.dumps(plain.plain())
+
+
+def test_what_is_wrong_of_numpy_is_still_wrong() -> None:
+    for world, told in (
+        ({"substeps": np.float64(3.0)}, "world.substeps: must be a whole number, not 3.0"),
+        ({"substeps": np.True_}, "world.substeps: must be a whole number, not True"),
+        ({"substeps": np.int64(0)}, "world.substeps: must be at least 1, not 0"),
+        ({"remove_strays": np.int64(1)}, "world.remove_strays: must be true or false, not 1"),
+        ({"friction": np.array([0.5])}, "world.friction: must be a number, not array([0.5])"),
+    ):
+        with pytest.raises(carom.SceneError) as caught:
+            carom.Scene(world=world)
+        assert str(caught.value) == told

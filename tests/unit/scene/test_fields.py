@@ -53,3 +53,13 @@ def test_only_a_list_becomes_a_tuple() -> None:
     assert as_tuple([1, 2]) == (1, 2)
     for other in ((1, 2), "12", None, {1: 2}):
         assert as_tuple(other) is other
+
+
+@pytest.mark.parametrize("value", [True, 1.0])
+def test_what_only_equals_a_version_is_none(value: object) -> None:
+    with pytest.raises(carom.SceneError) as caught:
+        carom.Scene(version=value)
+    assert str(caught.value) == f"version: must be the whole number 1, not {value}"
+    with pytest.raises(carom.SceneError, match="version: must be 1, not '1'"):
+        carom.Scene(version="1")
+    assert carom.Scene(version=1) == carom.Scene()
