@@ -206,7 +206,7 @@ def array(
     least: float | None = None,
     besides: float | None = None,
 ) -> NDArray[np.float64]:
-    """`value` as a float64 array of `shape` (-1: any length), one value or row standing for all.
+    """`value` as a float64 array of `shape` (-1: any length), one value or row standing for all, `[]` for none.
 
     All values must be finite, greater than `above` and not less than `least`, unless they are what is allowed
     `besides`.
@@ -243,6 +243,8 @@ def _shaped(
         if given.dtype.kind not in kinds and given.size:
             raise TypeError
         given = given if dtype is None else given.astype(dtype)
+        if given.shape == (0,) and shape[0] <= 0:
+            given = given.reshape(0, *shape[1:])  # a list of nothing has no rows to tell their lengths
         result = given if shape[0] < 0 else np.broadcast_to(given, shape)
     except (TypeError, ValueError):
         raise refuse(name, needed, value) from None

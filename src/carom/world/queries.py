@@ -377,7 +377,7 @@ class Queries:
             if ball.world is not self:
                 raise checks.refuse("ball", "must be in this world", ball)
             return table.index(ball)
-        if isinstance(ball, np.ndarray) and ball.ndim == 1 and ball.dtype.kind in "iu":
+        if isinstance(ball, np.ndarray) and ball.ndim == 1 and (ball.dtype.kind in "iu" or ball.size == 0):
             ids = table.used["id"]
             if not np.isin(ball, ids).all():
                 raise checks.refuse("ball", "must hold ids of balls in this world", ball)
@@ -429,7 +429,7 @@ class Queries:
 def _pairs(name: str, value: Any) -> Vector | NDArray[np.float64]:
     """The pair of an argument, or its pairs as an array of shape (n, 2)."""
     try:
-        many = np.ndim(value) > 1
+        many = np.ndim(value) > 1 or (isinstance(value, (list, np.ndarray)) and np.size(value) == 0)
     except ValueError:
         raise checks.refuse(name, "must be a pair of numbers or an array of shape (n, 2)", value) from None
     return checks.array(name, value, (-1, 2)) if many else checks.pair(name, value)

@@ -147,3 +147,32 @@ def test_no_queries_have_no_answers() -> None:
 def test_bad_questions_are_refused_by_name(ask: Any, words: str) -> None:
     with pytest.raises(carom.InvalidArgument, match=words):
         ask(world_of(Segment((5, -9), (5, 9))))
+
+
+@pytest.mark.parametrize("none", [[], np.array([]), np.zeros((0, 2))], ids=["list", "array", "rows"])
+def test_a_list_of_nothing_is_no_query(none: Any) -> None:
+    world = carom.World()
+    ball = world.add(carom.Ball((0, 0), 0.5))
+    world.add(carom.Segment((0, 2), (1, 2)))
+    assert (
+        len(world.ray_cast(none, (1, 1))) == len(world.ray_cast((0, 0), none)) == len(world.ray_cast(none, none)) == 0
+    )
+    assert len(world.circle_cast(none, 1.0, (1, 1))) == len(world.circle_cast((0, 0), [], (1, 1))) == 0
+    assert len(world.nearest(none)) == len(world.overlapping([])) == 0
+    assert len(world.aim(ball, none)) == len(world.aim([])) == len(world.aim(np.array([]))) == 0
+    with pytest.raises(carom.InvalidArgument, match="target must be one or as many as origin, 2, not 0"):
+        world.ray_cast([(0, 0), (1, 1)], none)
+    with pytest.raises(carom.InvalidArgument, match="origin must be a pair of numbers"):
+        world.ray_cast((), (1, 1))
+    with pytest.raises(carom.InvalidArgument, match=r"origin must be numbers of shape \('n', 2\)"):
+        world.ray_cast(np.zeros((0, 3)), (1, 1))
+
+
+@pytest.mark.parametrize("none", [[], np.array([]), np.zeros((0, 2))], ids=["list", "array", "rows"])
+def test_no_balls_are_added_all_at_once(none: Any) -> None:
+    world = carom.World()
+    assert len(world.add_balls(none, radius=1.0)) == len(world.add_balls(none, velocity=none, radius=[])) == 0
+    assert len(world.balls) == 0
+    for wrong in ({"velocity": []}, {"radius": []}):
+        with pytest.raises(carom.InvalidArgument, match=r"must be numbers of shape \(1,"):
+            world.add_balls([(0, 0)], **({"radius": 1.0} | wrong))
