@@ -13,6 +13,7 @@ from carom.pictured import Tabled
 from carom.rows.ball import BALL, BallRow
 from carom.rows.state import DISCRETE
 from carom.shapes.assembly import Assembly
+from carom.shapes.ball import Ball
 from carom.shapes.compound import Compound
 from carom.shapes.group import Group
 from carom.shapes.shape import Shape
@@ -20,12 +21,14 @@ from carom.spelling import hint
 from carom.world.waking import begin_anew
 
 if TYPE_CHECKING:
-    from carom.shapes.ball import Ball
     from carom.world.world import World
 
 
 class Balls(Sequence["Ball"], Tabled):
     """The balls of a world in the order in which they were added.
+
+    `world.balls[3]` is by its place, `world.balls["cue"]` the first one with that name; where nothing bears it, that
+    raises `InvalidArgument`.
 
     Columns are views of the world's own rows, without a copy: writing to them acts at once, as setting the balls' own
     attributes does, and is checked when the next step begins. They are valid until balls are added or removed. While
@@ -42,11 +45,15 @@ class Balls(Sequence["Ball"], Tabled):
         return self._world._arrays.balls.count
 
     @overload
-    def __getitem__(self, index: int) -> Ball: ...
+    def __getitem__(self, index: int | str) -> Ball: ...
     @overload
     def __getitem__(self, index: slice) -> list[Ball]: ...
-    def __getitem__(self, index: int | slice) -> Ball | list[Ball]:
+    def __getitem__(self, index: int | str | slice) -> Ball | list[Ball]:
         world = self._world
+        if isinstance(index, str):
+            members = sorted(world._objects.items())
+            found: Ball = _called(index, [member for _, member in members if isinstance(member, Ball)], "ball")
+            return found
         if isinstance(index, slice):
             return [world._ball_of(ball) for ball in self.id[index].tolist()]
         table = world._arrays.balls
@@ -221,16 +228,7 @@ class Shapes(Sequence["Shape | Compound | Group"], Tabled):
     @overload
     def __getitem__(self, index: slice) -> list[Shape | Compound | Group]: ...
     def __getitem__(self, index: int | str | slice) -> Shape | Compound | Group | list[Shape | Compound | Group]:
-        return self._called(index) if isinstance(index, str) else self._world._list()[index]
-
-    def _called(self, name: str) -> Shape | Compound | Group:
-        """The first one with a name; raises `InvalidArgument` where there is none."""
-        listed = self._world._list()
-        found = next((shape for shape in listed if shape.name == name), None)
-        if found is None:
-            said = hint(name, sorted({shape.name for shape in listed if shape.name is not None}))
-            raise refuse("name", f"must be that of a shape in the world{f' ({said})' if said else ''}", name)
-        return found
+        return _called(index, self._world._list(), "shape") if isinstance(index, str) else self._world._list()[index]
 
     def __iter__(self) -> Iterator[Shape | Compound | Group]:
         return iter(self._world._list()[:])
@@ -242,3 +240,12 @@ class Shapes(Sequence["Shape | Compound | Group"], Tabled):
 
     def __repr__(self) -> str:
         return f"<{len(self)} shapes>"
+
+
+def _called(name: str, members: Sequence[Any], what: str) -> Any:
+    """The first of some members with a name; raises `InvalidArgument` where there is none."""
+    found = next((member for member in members if member.name == name), None)
+    if found is None:
+        said = hint(name, sorted({member.name for member in members if member.name is not None}))
+        raise refuse("name", f"must be that of a {what} in the world{f' ({said})' if said else ''}", name)
+    return found

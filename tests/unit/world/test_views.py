@@ -275,6 +275,24 @@ def test_a_bad_size_that_was_written_is_refused_by_the_next_step(name: str, valu
     assert world.time == 0.1
 
 
+def test_a_ball_is_found_by_its_name_the_first_that_bears_it() -> None:
+    world = carom.World()
+    (plain,) = world.add_balls([(9, 9)], radius=1.0)
+    first, second = world.add(carom.Ball((0, 0), 1, name="red"), carom.Ball((3, 0), 1, name="red"))
+    world.add(carom.Point((0, 5), name="post"))
+    assert world.balls["red"] is first
+    world.remove(first)
+    assert world.balls["red"] is second
+    world.object(int(plain)).name = "plain"
+    assert world.balls["plain"] is world.balls[0]
+    with pytest.raises(
+        carom.InvalidArgument, match=r"name must be that of a ball .* \(did you mean red\?\), not 'rad'"
+    ):
+        world.balls["rad"]
+    with pytest.raises(carom.InvalidArgument, match="name must be that of a ball in the world, not 'post'"):
+        world.balls["post"]
+
+
 def test_a_shape_is_found_by_its_name_the_first_that_bears_it() -> None:
     world = carom.World()
     first, second = world.add(carom.Point((0, 0), name="post"), carom.Point((1, 0), name="post"))
