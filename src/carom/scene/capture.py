@@ -64,7 +64,10 @@ def _described_compound(compound: Compound) -> CompoundDescriptor:
     """The descriptor of a compound with all of its parts, each with its own surface."""
     names = ("name", "pivot", *MovingDescriptor.model_fields)
     parts = tuple(_described_part(part) for part in compound.shapes)
-    return CompoundDescriptor(shapes=parts, **_fields(compound, names))
+    values = _fields(compound, names)
+    if compound.center_point._row["time_left"] > 0.0:
+        values |= {"velocity": (0.0, 0.0), "angular_velocity": 0.0}  # as a shape that was sent somewhere rests here
+    return CompoundDescriptor(shapes=parts, **values)
 
 
 def _described_group(group: Group) -> GroupDescriptor:

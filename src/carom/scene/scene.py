@@ -131,7 +131,10 @@ class Scene(Descriptor, Pictured):
 
     @classmethod
     def from_world(cls, world: World) -> Self:
-        """A scene of `world` as it stands now: settings, shapes and balls, without time, ids, passing and sleep."""
+        """A scene of `world` as it stands now: settings, shapes and balls, without time, ids, passing and sleep.
+
+        What `move_to` has sent somewhere rests where it is: the rest of its way is left out.
+        """
         from carom.world.world import World
 
         if not isinstance(world, World):

@@ -35,6 +35,23 @@ def test_a_shape_that_has_turned_remembers_where_it_began() -> None:
     assert (twin.p0, twin.p1) == ((0.0, 0.0), (2.0, 0.0))
 
 
+@pytest.mark.parametrize("detection", ["discrete", "continuous"])
+def test_what_is_under_way_rests_where_it_is(detection: Any) -> None:
+    world = carom.World(detection=detection)
+    bat = world.add(carom.Segment((0, 0), (1, 0), motion="kinematic"))
+    mill = world.add(carom.Compound([carom.Segment((0, 5), (1, 5))], pivot=(0, 5)))
+    free = world.add(carom.Compound([carom.Segment((0, 9), (1, 9))], pivot=(0, 9), velocity=(1, 0)))
+    bat.move_to((4, 0), 1.0, orientation=1.0)
+    mill.move_to((4, 5), 1.0, orientation=1.0)
+    world.run(0.5)
+    there = [(mover.pivot, mover.orientation) for mover in (bat, mill)]
+    assert mill.velocity != (0.0, 0.0)
+    twin = carom.Scene.from_world(world).build()
+    twin.run(1.0)
+    assert [(mover.pivot, mover.orientation) for mover in twin.shapes[:2]] == there
+    assert twin.shapes[2].pivot[0] == pytest.approx(free.pivot[0] + 1.0)
+
+
 @pytest.mark.parametrize("thing", [None, 3, carom.Ball((0, 0), 1), carom.Scene()])
 def test_from_world_wants_a_world(thing: Any) -> None:
     with pytest.raises(carom.InvalidArgument, match=r"^world must be a World, not "):
