@@ -87,9 +87,11 @@ def find(text: str) -> Source:
     by_name = {source.name: source for source in shipped()}
     if text in by_name:
         return by_name[text]
+    if not text:
+        raise Mistake(f"the name of a scene must not be empty; shipped are {', '.join(by_name)}")
     path = Path(text)
     try:
-        is_file, is_folder = path.is_file(), path.is_dir()
+        is_file, is_folder, is_there = path.is_file(), path.is_dir(), path.exists()
     except OSError as error:
         raise Mistake(f"{text}: cannot be read: {error.strerror}") from None
     if is_file and path.suffix.lower() == RECORDED:
@@ -101,6 +103,8 @@ def find(text: str) -> Source:
         return Source(scene.name or path.stem, "", path, lambda: scene)
     if is_folder:
         raise Mistake(f"{text}: is a folder, not a scene file")
+    if is_there:
+        raise Mistake(f"{text}: is a device or the like, not a scene file")
     hint = meant(text, [*by_name, *files_beside(path)]) or f"shipped are {', '.join(by_name)}"
     raise Mistake(f"{text}: no such file, and no shipped scene of that name; {hint}")
 

@@ -211,6 +211,9 @@ def unpacked(snapshot: Any, shape: tuple[int, ...]) -> tuple[list[bytes], NDArra
         parts = [text[begin:end].tobytes() for begin, end in zip([0, *ends[:-1]], ends, strict=True)]
     except Exception as error:  # noqa: BLE001  # NumPy's reader raises many kinds
         raise SnapshotError(f"snapshot cannot be read: {error}") from None
-    if counts.shape != shape or counts.dtype != np.int64 or len(parts) != shape[0]:
-        raise SnapshotError(f"snapshot must be of {shape[0]} copies of the same scene, not of {len(parts)}")
+    if len(parts) != shape[0]:
+        raise SnapshotError(f"snapshot must be of {shape[0]} copies, not of {len(parts)}")
+    if counts.shape != shape or counts.dtype != np.int64:
+        shapes = counts.shape[1] if counts.ndim == len(shape) else "others"
+        raise SnapshotError(f"snapshot must be of copies of the same scene: of {shape[1]} shapes, not of {shapes}")
     return parts, counts

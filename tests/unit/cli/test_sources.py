@@ -1,5 +1,6 @@
 """A scene is found by the name of a shipped one, or in a file, and is called what it or its file is called."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -88,6 +89,7 @@ def test_a_shipped_scene_comes_before_a_file_of_its_name(here: Path) -> None:
         ("tyo", "tyo: no such file, and no shipped scene of that name; did you mean toy?"),
         ("qqq", f"qqq: no such file, and no shipped scene of that name; shipped are {', '.join(carom.scenes.names())}"),
         (".", ".: is a folder, not a scene file"),
+        ("", f"the name of a scene must not be empty; shipped are {', '.join(carom.scenes.names())}"),
         ("n" * 300, f"{'n' * 300}: cannot be read: File name too long"),
     ],
 )
@@ -95,3 +97,9 @@ def test_what_is_no_scene_is_a_mistake(text: str, told: str) -> None:
     with pytest.raises(Mistake) as caught:
         find(text)
     assert str(caught.value) == told
+
+
+@pytest.mark.skipif(not Path(os.devnull).exists(), reason="devices are no files here")
+def test_a_device_is_no_scene() -> None:
+    with pytest.raises(Mistake, match=f"{os.devnull}: is a device or the like, not a scene file"):
+        find(os.devnull)

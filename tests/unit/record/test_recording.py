@@ -1,5 +1,6 @@
 """What a recording knows of a run: where everything was at each frame, what it had of energy, what happened."""
 
+from math import inf, nan
 from typing import Any
 
 import numpy as np
@@ -109,3 +110,20 @@ def test_bad_arguments_are_refused_by_name(arguments: dict[str, Any], told: str)
         carom.Recording.of(**({"world": quiet(), "seconds": 1.0} | arguments))
     with pytest.raises(carom.InvalidArgument, match="world must be a World, not 5"):
         carom.Recorder(5)
+
+
+def test_a_time_that_is_none_has_no_frame() -> None:
+    recording = crowd(0.25)
+    assert [recording.frame_at(time) for time in (-1, 0.0, 0.1, 99)] == [0, 0, 6, len(recording) - 1]
+    for bad in (nan, inf, None, "1"):
+        with pytest.raises(carom.InvalidArgument, match="time must be"):
+            recording.frame_at(bad)  # type: ignore[arg-type]
+
+
+def test_only_the_shapes_of_a_recording_are_posed() -> None:
+    recording = crowd(0.25)
+    shapes = recording.shapes_at(0)
+    for wrong in (shapes[:-1], [], shapes[::-1], tuple(shapes)):
+        with pytest.raises(carom.InvalidArgument, match="shapes must be"):
+            recording.pose(wrong, 1)  # type: ignore[arg-type]
+    recording.pose(shapes, 1)

@@ -42,7 +42,7 @@ def test_a_damaged_snapshot_is_refused() -> None:
     for wrong in (whole[:-1], whole + b"x", whole.replace(b"abc", b"abd"), b"carom"):
         with pytest.raises(carom.SnapshotError):
             keeping.unpacked(wrong, counts.shape)
-    with pytest.raises(carom.SnapshotError, match="must be of 3 copies of the same scene, not of 2"):
+    with pytest.raises(carom.SnapshotError, match="must be of 3 copies, not of 2"):
         keeping.unpacked(whole, (3, 1, 2))
 
 

@@ -229,8 +229,16 @@ def test_a_snapshot_of_other_copies_is_refused() -> None:
     worlds.step(DT)
     before = worlds.digests()
     good = worlds.snapshot()
-    for wrong in (fewer.snapshot(), other.snapshot(), good[:-1], b"", game_table("discrete").snapshot(), 3):
-        with pytest.raises(carom.SnapshotError):
+    count = len(worlds.shapes)
+    for wrong, told in (
+        (fewer.snapshot(), "must be of 2 copies, not of 1"),
+        (other.snapshot(), f"must be of copies of the same scene: of {count} shapes, not of {len(other.shapes)}"),
+        (good[:-1], "is damaged"),
+        (b"", "must begin with the line"),
+        (game_table("discrete").snapshot(), "must begin with the line"),
+        (3, "must be bytes"),
+    ):
+        with pytest.raises(carom.SnapshotError, match=f"snapshot {told}"):
             worlds.restore(wrong)  # type: ignore[arg-type]
     assert worlds.digests() == before
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 from pydantic import ValidationError
 
 from carom.checks import positive
-from carom.errors import DrawingWarning, SceneError
+from carom.errors import DrawingWarning, InvalidArgument, SceneError
 from carom.extras import needed
 from carom.limits import LONGEST_FILE
 from carom.scene.descriptors import WorldDescriptor
@@ -65,6 +65,9 @@ def _read(path: str | os.PathLike[str], tolerance: float | None) -> Reading:
     drawing = Drawing(faults)
     kept = _read_into(drawing, path, tolerance)
     if kept is not None:
+        if tolerance is not None:
+            said = "is for drawings that others made; this picture keeps its scene"
+            raise InvalidArgument(f"tolerance {tolerance!r}: {said}")
         return Reading(kept, {}, 0.0)
     bodies = _parts_in(drawing)
     size = size_of([outline for body in bodies for outline in body.outlines])

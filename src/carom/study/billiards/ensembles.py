@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import refuse
 from carom.rows.hit import BOUNCE
 from carom.rows.tables import Rows
-from carom.study.billiards.outline import Floats
+from carom.study.billiards.outline import Floats, unfit
 from carom.study.billiards.tables import Starts, Table
 from carom.world.boundary import Piece, Track
 
@@ -154,7 +153,7 @@ def first_hits(batch: Batch, hits: int) -> tuple[Floats, Floats, Floats]:
         if letting_go:
             batch.world.balls.can_collide[:] = counts < hits
     else:
-        raise refuse("scene", f"must let balls bounce; one has done so {counts.min()} times", batch.table.scene.name)
+        raise unfit(batch.table.scene, f"must let balls bounce; one has done so {counts.min()} times")
     numbers, *values = (np.concatenate(parts) for parts in zip(*columns, strict=True))
     order = np.argsort(numbers, kind="stable")
     begins = np.concatenate([[0], np.cumsum(counts)[:-1]])

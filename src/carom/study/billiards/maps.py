@@ -7,11 +7,11 @@ from math import pi, sqrt
 
 import numpy as np
 
-from carom.checks import refuse, whole
+from carom.checks import whole
 from carom.scene.scene import Scene
 from carom.spelling import spelled
 from carom.study.billiards.ensembles import Numbers, batches, first_hits
-from carom.study.billiards.outline import Floats
+from carom.study.billiards.outline import Floats, unfit
 from carom.study.billiards.tables import Table, table
 
 #: Hits of each orbit at most.
@@ -153,7 +153,7 @@ def mean_free_path(scene: Scene | Table | str, n: int = 1000, hits: int = 200, s
     """
     room, count = table(scene), whole("hits", hits, 1, MOST_HITS)
     if room.scene.world.gravity != (0.0, 0.0):
-        raise refuse("scene", "must have no gravity", room.scene.name)
+        raise unfit(room.scene, "must have no gravity")
     starts = room.random_starts(whole("n", n, 2), seed)
     expected = pi * room.area / room.perimeter
     counts, paths = [], []

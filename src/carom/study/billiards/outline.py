@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from carom.checks import refuse
 from carom.constants import JOINT_GAP
+from carom.errors import InvalidArgument
 from carom.rows.kinds import has_ends, is_straight
 from carom.scene.scene import Scene
 from carom.typing import Vector
@@ -106,16 +107,21 @@ class Loop(NamedTuple):
         return x, y
 
 
+def unfit(scene: Scene, must: str) -> InvalidArgument:
+    """The error to raise for a scene that is no table, which says what it must do, and its name if it has one."""
+    return InvalidArgument(f"scene {must}") if scene.name is None else refuse("scene", must, scene.name)
+
+
 def loops_of(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> tuple[Loop, ...]:
     """The loops that the walls of a table make, the outer one first; raises where they make no table."""
     circles = [Loop((Piece(place, wall, True),)) for place, wall in walls if not has_ends(wall._row["kind"])]
     bare = [(place, wall) for place, wall in walls if has_ends(wall._row["kind"])]
     loops = sorted([*circles, *_joined(scene, bare)], key=lambda loop: -loop.area)
     if not loops:
-        raise refuse("scene", "must have walls that close a table", scene.name)
+        raise unfit(scene, "must have walls that close a table")
     first = loops[0].pieces[0].wall
     if first._row["solid"]:
-        raise refuse("scene", f"must be a closed table; {named(scene, loops[0].pieces[0].place)} is solid", scene.name)
+        raise unfit(scene, f"must be a closed table; {named(scene, loops[0].pieces[0].place)} is solid")
     for number, island in enumerate(loops[1:], 1):
         x, y = island.looks()
         apart = loops[0].contains(x, y).all() and not any(
@@ -125,7 +131,7 @@ def loops_of(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> tuple[Loop, ...
         )
         if not apart or island.contains(*loops[0].looks()).any():
             what = named(scene, loops[number].pieces[0].place)
-            raise refuse("scene", f"must be a table with islands apart; {what} crosses another wall", scene.name)
+            raise unfit(scene, f"must be a table with islands apart; {what} crosses another wall")
     return tuple(loops)
 
 
@@ -177,7 +183,7 @@ def _partners(scene: Scene, walls: Sequence[tuple[int, Wall]]) -> list[int]:
         if len(others) != 1:
             wall = named(scene, walls[number // 2][0])
             joins = "no other wall" if not others else f"{len(others)} other walls"
-            raise refuse("scene", f"must be a closed table; {wall} ends at {ends[number]}, at {joins}", scene.name)
+            raise unfit(scene, f"must be a closed table; {wall} ends at {ends[number]}, at {joins}")
     return [others[0] for others in found]
 
 

@@ -22,7 +22,7 @@ from carom.scene.shape_descriptors import (
     SegmentDescriptor,
 )
 from carom.spelling import spelled
-from carom.study.billiards.outline import Floats, Loop, Piece, loops_of, named
+from carom.study.billiards.outline import Floats, Loop, Piece, loops_of, named, unfit
 
 if TYPE_CHECKING:
     from carom.world import World
@@ -215,7 +215,7 @@ def table(scene: Scene | Table | str) -> Table:
     walls = [(place, _wall(scene, place)) for place in range(len(scene.shapes)) if _is_wall(scene, place)]
     for setting in ("friction", "sleep_speed"):
         if getattr(scene.world, setting) != 0.0:
-            raise refuse("scene", f"must have no {setting} to be a table", scene.name)
+            raise unfit(scene, f"must have no {setting} to be a table")
     loops = loops_of(scene, walls)
     return Table(scene.model_copy(update={"balls": ()}), loops)
 
@@ -244,4 +244,4 @@ def _wall(scene: Scene, place: int) -> Wall:
 
 def _unfit(scene: Scene, place: int, what: str) -> Exception:
     """The error to raise for a shape that no table has."""
-    return refuse("scene", f"must be a closed table; {named(scene, place)} {what}", scene.name)
+    return unfit(scene, f"must be a closed table; {named(scene, place)} {what}")

@@ -137,7 +137,9 @@ def check_values(scene: Scene, path: str, places: list[Steps], values: Iterable[
         try:
             with_values(scene, [(steps, value) for steps in places])
         except ValueError as error:
-            raise InvalidArgument(f"parameters: {path}: {error}") from None
+            said = str(error)
+            where = "" if said.startswith(f"{path}:") else f"{path}: "
+            raise InvalidArgument(f"parameters: {where}{said}") from None
 
 
 def refuse_path(name: str) -> InvalidArgument:

@@ -13,6 +13,7 @@ from carom import draw
 from carom.scene.descriptors import WorldDescriptor
 from carom.scene.drawings import reading
 from carom.scene.drawings.bodies import Body, Drawing
+from carom.scene.drawings.converting import converted
 from carom.scene.drawings.pieces import Cubic
 from carom.scene.drawings.svg import SvgReader
 from carom.scene.faults import Faults
@@ -45,6 +46,16 @@ def test_a_tolerance_must_be_positive_and_is_for_drawings(tmp_path: Path) -> Non
     default.save(tmp_path / "a.toml")
     with pytest.raises(carom.InvalidArgument, match="tolerance is for drawings"):
         carom.Scene.load(tmp_path / "a.toml", tolerance=0.1)
+
+
+def test_a_picture_that_keeps_its_scene_has_no_use_for_a_tolerance(tmp_path: Path) -> None:
+    scene = carom.scenes.newtons_cradle()
+    path = tmp_path / "cradle.svg"
+    path.write_text(draw.svg(draw.picture_of(scene.build()), scene=scene), encoding="utf-8")
+    assert carom.Scene.load(path) == converted(path) == scene
+    for read in (carom.Scene.load, converted):
+        with pytest.raises(carom.InvalidArgument, match=r"tolerance 0\.1: is for drawings that others made"):
+            read(path, 0.1)
 
 
 def test_smooth_joints_get_no_guard_point_and_corners_do(tmp_path: Path) -> None:

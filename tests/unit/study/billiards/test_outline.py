@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import carom
+from carom import study
 from carom.shapes.segment import Segment
 from carom.study.billiards.outline import Loop, Piece, loops_of
 
@@ -89,6 +90,13 @@ def test_what_a_loop_contains_has_its_area(shapes: list[carom.Shape]) -> None:
 def test_what_is_no_table_is_refused_by_name(shapes: list[carom.Shape], told: str) -> None:
     with pytest.raises(carom.InvalidArgument, match=rf"scene must .*{told}.*not 'trial'"):
         loops(*shapes)
+
+
+def test_a_scene_without_a_name_is_refused_without_one() -> None:
+    for made in (carom.Scene(), carom.Scene(world={"friction": 1.0}), carom.Scene(shapes=square()[:3])):
+        with pytest.raises(carom.InvalidArgument, match=r"^scene must ") as caught:
+            study.table(made)
+        assert "None" not in str(caught.value)
 
 
 def test_two_walls_are_gone_along_as_hits_see_them() -> None:

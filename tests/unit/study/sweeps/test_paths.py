@@ -89,5 +89,6 @@ def test_a_path_that_leads_nowhere_is_refused(path: str, words: str) -> None:
     ],
 )
 def test_a_value_that_cannot_stand_there_is_a_fault_with_its_place(path: str, value: Any, fault: str) -> None:
-    with pytest.raises(carom.InvalidArgument, match=fault):
+    with pytest.raises(carom.InvalidArgument, match=fault) as caught:
         check_values(SCENE, path, places_of(SCENE, path), [1.0 if path.endswith("kick") else value, value])
+    assert str(caught.value).count(fault.replace("\\", "").partition(":")[0]) == 1
