@@ -72,7 +72,9 @@ class Recorder:
     def note(self, hits: Rows) -> None:
         """Note a step that was made, and its `hits`.
 
-        Raises, and leaves what was noted as it is, which `finish` makes a recording of:
+        What was noted stays as it is where this raises, and `finish` makes a recording of it.
+
+        Raises:
             InvalidArgument: The hits are none, or those of another world.
             RecordingError: The world has gone back in time since the last note, as by `restore`, or holds balls that
                 no recording can hold, as ones whose place is NaN.
