@@ -14,8 +14,9 @@ from carom.rows.flight import NO_BALL, NO_PLACE, NOTHING
 from carom.rows.hit import HIT_ROW
 from carom.rows.index import CELL, SLOT, ShapeIndex
 from carom.rows.island import BODY, ISLAND_CONTACT
+from carom.rows.pose import STILL, UNPOSED, advance, pose
 from carom.rows.relation import NO_RELATION
-from carom.rows.shape import SHAPE
+from carom.rows.shape import SHAPE, ShapeRow
 from carom.rows.state import BRUTE, DONE, GRID, NEEDS_PAIRS, NOTE, QUADTREE, STALE, STATE
 from carom.rows.tables import Rows
 from carom.world.kernels.broad_phase.grid import (
@@ -266,3 +267,11 @@ def contents(arrays: Arrays) -> list[bytes]:
         *(table.tobytes() for table in (arrays.states[0], arrays.balls.used, arrays.shapes.used)),
         arrays.relations[:used].tobytes(),
     ]
+
+
+def advance_pose(shape: ShapeRow, h: float) -> bool:
+    """Whether a shape moved in one substep of h seconds; moves it, and poses it where that is left to others."""
+    how = advance(shape, h)
+    if how == UNPOSED:
+        pose(shape)
+    return how != STILL

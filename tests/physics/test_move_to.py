@@ -11,8 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from carom import Arc, Ball, Circle, Compound, Gate, InvalidArgument, Point, Segment, World
-from carom.rows.pose import advance_pose, rest
+from carom.rows.pose import rest
 from carom.shapes.shape import Shape
+from tests.kernel_calls import advance_pose
 from tests.strategies import angles, numbers
 
 MAKERS: dict[str, Callable[..., Shape | Compound]] = {

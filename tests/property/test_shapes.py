@@ -7,8 +7,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import carom
-from carom.rows.pose import advance_pose
 from tests import naive
+from tests.kernel_calls import advance_pose
 from tests.strategies import (
     Figure,
     angles,

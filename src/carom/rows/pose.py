@@ -229,14 +229,6 @@ def acting_spin(shape: ShapeRow) -> float:
     return spin
 
 
-def advance_pose(shape: ShapeRow, h: float) -> bool:
-    """Whether the shape moved in one substep of h seconds; moves it, as `advance` says, and poses it."""
-    how = advance(shape, h)
-    if how == UNPOSED:
-        pose(shape)
-    return how != STILL
-
-
 def advance(shape: ShapeRow, h: float) -> int:
     """Whether the shape is STILL in one substep of h seconds, is POSED after it, or has moved and is to be posed yet.
 

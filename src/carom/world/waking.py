@@ -25,9 +25,12 @@ def begin_anew(arrays: Arrays, which: NDArray[Any]) -> None:
     One that has come since the last step has none yet, and is passed over.
     """
     flying = min(arrays.balls.count, len(arrays.flights) // 2)
-    ids = arrays.flights["id"][:flying]
-    named = which[:flying] if which.dtype.kind == "b" else which[which < flying]
-    ids[named] = -np.abs(ids[named])
+    mark_changed(arrays.flights[:flying], which[:flying] if which.dtype.kind == "b" else which[which < flying])
+
+
+def mark_changed(flights: Rows, which: NDArray[Any]) -> None:
+    """Mark flights, which a mask or indices name, as those of balls that were changed."""
+    flights["id"][which] = -np.abs(flights["id"][which])
 
 
 def will_wake(arrays: Arrays) -> int:

@@ -21,7 +21,7 @@ from carom.world.snapshot import fill, hash_of, header_of, payload, read, sealed
 from carom.world.snapshot_check import Contents
 from carom.world.tables import OF_BALLS, Arrays
 from carom.world.views import LENT
-from carom.world.waking import note_changed, will_wake
+from carom.world.waking import mark_changed, note_changed, will_wake
 from carom.world.world import World
 from carom.worlds.memory import Memory
 from carom.worlds.stage import Common
@@ -166,8 +166,7 @@ def wake_changed(memory: Memory, lent: Rows) -> None:
     # What a ball has that is not in play means nothing.
     changed &= memory.in_play
     if memory.layout[0]["flights_at"]:
-        ids = memory.flights["id"]
-        ids[changed] = -np.abs(ids[changed])
+        mark_changed(memory.flights, changed)
     matters = (memory.state["sleeping"] > 0) | (memory.state["detection"] != DISCRETE)
     note_changed(memory.state, changed.any(axis=1) & matters)
 

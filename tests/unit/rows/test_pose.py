@@ -7,7 +7,8 @@ import pytest
 
 from carom import Arc, Circle, Gate, Point, Segment, Shape
 from carom.rows import kinds_near, pose
-from carom.rows.pose import advance_pose, moves_with
+from carom.rows.pose import moves_with
+from tests.kernel_calls import advance_pose
 from tests.unit.rows.samples import KINDS, MANY, NEAR, SAMPLES, outline, row_of
 
 

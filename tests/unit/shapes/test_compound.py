@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from carom import Ball, Circle, Compound, InvalidArgument, Motion, Point, Segment, Shape
-from carom.rows.pose import advance_pose
+from tests.kernel_calls import advance_pose
 from tests.unit.shapes.vane import vane
 from tests.worlds import row_bits
 

@@ -5,7 +5,7 @@ from math import pi
 import pytest
 
 from carom import Arc, Compound, InvalidArgument, Point, Segment
-from carom.rows.pose import advance_pose
+from tests.kernel_calls import advance_pose
 from tests.unit.shapes.vane import vane
 from tests.worlds import row_bits
 

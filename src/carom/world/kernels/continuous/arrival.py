@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom.constants import END_DEPTH_CONTINUOUS, LIFT
-from carom.geometry.path import Path, place_on
+from carom.geometry.path import Path
 from carom.rows.ball import BallRow
 from carom.rows.flight import FLYING, IN_PART, NO_TICK, FlightRow
 from carom.rows.index import CellRow, IndexRow, ShapeIndex
@@ -20,7 +20,7 @@ from carom.world.kernels.continuous.flight import age_now, path_of, place_after
 from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.rest import slow_since
 from carom.world.kernels.continuous.sliding import slide_on
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape
+from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, seen_on_path
 from carom.world.kernels.step.relations import add_relation, find_relation, has_kind
 
 #: Halvings of the time of a path by which it is found when a ball came deep into a shape: down to its rounding.
@@ -235,15 +235,3 @@ def was_past_end(
         else:
             low, past = middle, past_then
     return past
-
-
-def seen_on_path(
-    shape: ShapeRow, motion_age: float, path: Path, radius: float, time: float, depth: float
-) -> tuple[bool, bool]:
-    """Whether a ball is past the ends of a shape at a time of its path, and whether it is deep in it."""
-    x, y = place_on(path, time)
-    found = gap_to_shape(shape, motion_age + time, x, y, radius, 0.0, 0.0)
-    if found is None:
-        return True, False
-    gap, _nx, _ny = found
-    return False, gap < -depth

@@ -29,7 +29,7 @@ from carom.rows.relation import INSIDE_BALL, INSIDE_SHAPE, LASTING, NO_RELATION,
 from carom.rows.shape import ShapeRow
 from carom.rows.state import StateRow
 from carom.rows.tables import Table
-from carom.world.kernels.continuous.arrival import arrive, keep_course, seen_on_path, work_of_shift
+from carom.world.kernels.continuous.arrival import arrive, keep_course, work_of_shift
 from carom.world.kernels.continuous.encounter import impact_of_balls, impact_with_shape, keep_push_out
 from carom.world.kernels.continuous.flight import age_now, begins_now, let_sleep, path_of
 from carom.world.kernels.continuous.island import hasten, is_solved, lies
@@ -41,7 +41,7 @@ from carom.world.kernels.continuous.queue import row_of
 from carom.world.kernels.continuous.rounding import keep_rounding, way_of
 from carom.world.kernels.continuous.sensing import cross_edge
 from carom.world.kernels.continuous.straying import cross_bounds
-from carom.world.kernels.continuous.surfaces import age_of_motion
+from carom.world.kernels.continuous.surfaces import age_of_motion, seen_on_path
 from carom.world.kernels.step.hits import cross_ball
 from carom.world.kernels.step.relations import add_relation, drop_kind, has_kind
 
@@ -70,7 +70,7 @@ def deal_with(
     event, partner = int(flight["event"]), row_of(flight["partner"])
     of_two = event == HIT_BALL or event == EXIT_BALL
     looks = event == LOOK or (of_two and flights[partner]["version"] != flight["partner_version"])
-    if looks or is_on_way(state, balls, shapes, index, cells, members, hits, relations, flights, island[0], i):
+    if looks or deal_on_way(state, balls, shapes, index, cells, members, hits, relations, flights, island[0], i):
         predict(state, balls, shapes, order, index, cells, members, heads, relations, flights, queue, i)
         return
     came = way_of(ball, flight)
@@ -100,7 +100,7 @@ def deal_with(
     )  # fmt: skip
 
 
-def is_on_way(
+def deal_on_way(
     state: StateRow,
     balls: Table[BallRow],
     shapes: Table[ShapeRow],

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from math import fabs, floor, inf, sqrt
 
-from carom.constants import INDEX_MARGIN, MOVER_LOOKS, MOVER_TURN, MOVER_WAY, SEPARATION_SLACK
+from carom.constants import INDEX_MARGIN, MOVER_LOOKS, MOVER_TURN, MOVER_WAY
 from carom.geometry.impact import impact_disc
-from carom.geometry.path import Path, path_after, place_on
+from carom.geometry.path import Path, path_after
 from carom.rows.ball import BallRow
 from carom.rows.flight import HIT_SHAPE, LOOK, NO_BALL, FlightRow
 from carom.rows.kinds import has_ends
@@ -24,7 +24,7 @@ from carom.world.kernels.continuous.flight import age_now, consider, event_age, 
 from carom.world.kernels.continuous.lasting import is_walked_over
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
-from carom.world.kernels.continuous.surfaces import age_of_motion, gap_to_shape, impact_in_motion
+from carom.world.kernels.continuous.surfaces import age_of_motion, impact_in_motion, touches_on_path
 from carom.world.kernels.step.relations import is_related
 
 
@@ -114,20 +114,10 @@ def impact_from(
     What it would have met in that was off then: it is asked from now on.
     """
     time = impact_in_motion(shape, motion_age, path, radius, duration, 1.0)
-    if time is None or time >= gone or touches_at(shape, motion_age, path, gone, radius):
+    if time is None or time >= gone or touches_on_path(shape, motion_age, path, radius, gone):
         return time
     time = impact_in_motion(shape, motion_age + gone, path_after(path, gone), radius, duration - gone, 1.0)
     return None if time is None else gone + time
-
-
-def touches_at(shape: ShapeRow, motion_age: float, path: Path, age: float, radius: float) -> bool:
-    """True if a ball touches a shape at an age of its path, which began at an age of the shape's motion."""
-    x, y = place_on(path, age)
-    found = gap_to_shape(shape, motion_age + age, x, y, radius, 0.0, 0.0)
-    if found is None:
-        return False
-    gap, _nx, _ny = found
-    return gap <= SEPARATION_SLACK * radius
 
 
 def slice_length(shape: ShapeRow, path: Path, reach: float, radius: float) -> float:

@@ -33,9 +33,10 @@ from carom.world.kernels.broad_phase.shape_index import (
 )
 from carom.world.kernels.continuous.flight import age_at, age_now, consider, event_age, path_box, path_of, time_to_go
 from carom.world.kernels.continuous.lasting import is_walked_over
-from carom.world.kernels.continuous.predict_movers import predict_movers, touches_at
+from carom.world.kernels.continuous.predict_movers import predict_movers
 from carom.world.kernels.continuous.predict_sensors import predict_entry
 from carom.world.kernels.continuous.queue import row_of
+from carom.world.kernels.continuous.surfaces import touches_on_path
 from carom.world.kernels.step.relations import is_related
 
 
@@ -382,7 +383,7 @@ def predict_members(
             state["full_tests"] += 1
             came, until = age_of_rest(shape, flight), min(end, event_age(flight))
             time = impact_since(shape, path, came, radius, until)
-            if time is not None and time < age and not touches_at(shape, 0.0, path, age, radius):
+            if time is not None and time < age and not touches_on_path(shape, 0.0, path, radius, age):
                 time = impact_since(shape, path, age, radius, until)
             if time is not None and not is_walked_over(ball, flight, shape, shapes, relations):
                 consider_shape(flight, shapes, time, row)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from carom.constants import END_SLOP
+from carom.constants import END_SLOP, SEPARATION_SLACK
 from carom.geometry.instants import seconds_since
-from carom.geometry.path import Path, Turning
+from carom.geometry.path import Path, Turning, place_on
 from carom.geometry.vector import rotated
 from carom.rows.flight import FlightRow
 from carom.rows.kinds import bend_center, gap_at_rest
@@ -98,3 +98,24 @@ def gap_past_ends(
     gap, nx, ny = found
     nx, ny = rotated(nx, ny, c, -s)
     return gap, nx, ny
+
+
+def seen_on_path(
+    shape: ShapeRow, motion_age: float, path: Path, radius: float, time: float, depth: float
+) -> tuple[bool, bool]:
+    """Whether a ball is past the ends of a shape at a time of its path, and whether it is in it by more than a `depth`.
+
+    The path began at an age of the shape's motion; one of less than 0 is how far from it a ball may be.
+    """
+    x, y = place_on(path, time)
+    found = gap_to_shape(shape, motion_age + time, x, y, radius, 0.0, 0.0)
+    if found is None:
+        return True, False
+    gap, _nx, _ny = found
+    return False, gap < -depth
+
+
+def touches_on_path(shape: ShapeRow, motion_age: float, path: Path, radius: float, time: float) -> bool:
+    """True if a ball touches a shape at a time of its path."""
+    _past, touches = seen_on_path(shape, motion_age, path, radius, time, -SEPARATION_SLACK * radius)
+    return touches

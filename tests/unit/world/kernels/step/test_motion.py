@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from carom import Ball, Segment
-from carom.rows.pose import advance_pose
 from carom.rows.tables import Row
 from carom.world.kernels.broad_phase.shape_index import MOVING
 from carom.world.kernels.step.beginning import list_restless
@@ -24,7 +23,7 @@ from carom.world.kernels.step.motion import (
     wake,
     wake_in_box,
 )
-from tests.kernel_calls import ball_rows, prepared, state_row
+from tests.kernel_calls import advance_pose, ball_rows, prepared, state_row
 from tests.worlds import world_of
 
 

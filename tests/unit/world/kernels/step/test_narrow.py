@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from carom import Arc, Ball, Circle, Point, Segment, World
-from carom.rows.pose import advance_pose
 from carom.world.kernels.step.narrow import boxes_apart, is_between_ends, seen_from
+from tests.kernel_calls import advance_pose
 
 
 def test_boxes_that_touch_are_not_apart() -> None:
