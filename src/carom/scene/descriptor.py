@@ -17,10 +17,13 @@ _FIRST = ("version", "kind", "name")
 #: What no field is by default.
 _WRITTEN = object()
 
+#: What NumPy has for numbers, booleans and lists.
+OF_NUMPY = np.generic, np.ndarray
+
 
 def in_python(value: Any) -> Any:
-    """A number or boolean of NumPy as one of Python; anything else as it is."""
-    return value.item() if isinstance(value, np.generic) else value
+    """A number, boolean or array of NumPy as a number, boolean or list of Python; anything else as it is."""
+    return value.tolist() if isinstance(value, OF_NUMPY) else value
 
 
 class Descriptor(BaseModel):
@@ -33,8 +36,8 @@ class Descriptor(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _in_python(cls, given: Any) -> Any:
-        """The fields with numbers and booleans of NumPy as those of Python: strict fields take no others."""
-        if type(given) is dict and any(isinstance(value, np.generic) for value in given.values()):
+        """The fields with what is of NumPy as of Python: strict fields take no other, or what they take varies."""
+        if type(given) is dict and any(isinstance(value, OF_NUMPY) for value in given.values()):
             return {name: in_python(value) for name, value in given.items()}
         return given
 

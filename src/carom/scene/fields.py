@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
@@ -58,9 +57,7 @@ def _writable(text: str) -> str:
 
 
 def as_tuple(value: Any) -> Any:
-    """A list or an array as a tuple; anything else as it is, for the field to judge."""
-    if isinstance(value, np.ndarray) and value.ndim == 1:
-        return tuple(value.tolist())
+    """A list as a tuple; anything else as it is, for the field to judge."""
     return tuple(map(in_python, value)) if isinstance(value, list) else value
 
 

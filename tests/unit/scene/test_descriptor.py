@@ -101,6 +101,7 @@ def test_what_is_wrong_of_numpy_is_still_wrong() -> None:
         ({"substeps": np.True_}, "world.substeps: must be a whole number, not True"),
         ({"substeps": np.int64(0)}, "world.substeps: must be at least 1, not 0"),
         ({"remove_strays": np.int64(1)}, "world.remove_strays: must be true or false, not 1"),
+        ({"friction": np.array([0.5])}, "world.friction: must be a number, not [0.5]"),
     ):
         with pytest.raises(carom.SceneError) as caught:
             carom.Scene(world=world)
